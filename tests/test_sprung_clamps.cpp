@@ -95,9 +95,9 @@ TEST(SprungClamps, are_held_against_the_beam_of_textbooks) {
 
 TEST(SprungClamps, do_not_move_the_nominal_structure) {
   const Case rigid = two_halves({});
-  EXPECT_EQ(nominal_of(rigid, {}).rigid_clamps, Names{"joint"});
+  EXPECT_EQ(nominal_of(rigid, {}).rigid_clamps, Names{"caps.joint"});
   Case sprung = rigid;
-  EXPECT_EQ(put_springs_in_clamps(sprung), Names{"joint"});
+  EXPECT_EQ(put_springs_in_clamps(sprung), Names{"caps.joint"});
   const Results own = test::run_silently(rigid), on_springs = test::run_silently(sprung);
   ASSERT_GE(own.modes.size(), 6U);
   for (std::size_t j = 0; j < 6; ++j)
@@ -116,9 +116,9 @@ Case pulled(Case c) {
 
 TEST(SprungClamps, do_not_move_a_structure_in_its_state) {
   const Case rigid = pulled(two_halves({}));
-  EXPECT_EQ(nominal_of(rigid, {}).rigid_clamps, Names{"joint"});
+  EXPECT_EQ(nominal_of(rigid, {}).rigid_clamps, Names{"caps.joint"});
   Case sprung = rigid;
-  EXPECT_EQ(put_springs_in_clamps(sprung), Names{"joint"});
+  EXPECT_EQ(put_springs_in_clamps(sprung), Names{"caps.joint"});
   const Results own = test::run_silently(rigid), on_springs = test::run_silently(sprung),
                 at_rest = test::run_silently(two_halves({}));
   ASSERT_GE(own.modes.size(), 6U);
@@ -197,30 +197,88 @@ TEST(SprungClamps, one_that_holds_is_not_named) {
   for (const NamedEffect& e : d.effects) EXPECT_NE(e.name, "joint_stiffness") << d.headline;
 }
 
-TEST(SprungClamps, join_parts_in_a_row) {
-  EXPECT_EQ(clamps_of(two_halves({})), Names{"joint"});
+Case mounted_joint() {
+  Case c = two_halves({});
+  c.mount.push_back({.cap = "joint"});
+  return c;
+}
+
+TEST(SprungClamps, stand_wherever_ends_are_joined) {
+  EXPECT_EQ(clamps_of(two_halves({})), Names{"caps.joint"});
   EXPECT_EQ(clamps_of(two_halves(Sextuple{1, 1, 1, 1, 1, 1})), Names{}) << "drawn with springs";
-  Case mounted = two_halves({});
-  mounted.mount.push_back({.cap = "joint"});
-  EXPECT_EQ(clamps_of(mounted), Names{});
+  const Names both{"caps.joint.beam.end", "caps.joint.beam2.start"};
+  EXPECT_EQ(clamps_of(mounted_joint()), both);
   Case one_part = two_halves({});
   one_part.caps.back().of = {"beam.end", "beam.point[2]"};
-  EXPECT_EQ(clamps_of(one_part), Names{});
+  EXPECT_EQ(clamps_of(one_part), Names{"caps.joint"});
+  Case three = two_halves({});
+  Part third = three.parts[1];
+  third.name = "beam3";
+  three.parts.push_back(third);
+  three.caps.back().of.push_back("beam3.start");
+  const Names each{"caps.joint.beam.end", "caps.joint.beam2.start", "caps.joint.beam3.start"};
+  EXPECT_EQ(clamps_of(three), each);
+  three.caps.back().ends = {{.end = "beam2.start", .stiffness = {1, 1, 1, 1, 1, 1}}};
+  const Names others{"caps.joint.beam.end", "caps.joint.beam3.start"};
+  EXPECT_EQ(clamps_of(three), others) << "one end is drawn on springs";
+  three.caps.back().ends.push_back({.end = "beam3.start", .stiffness = {1, 1, 1, 1, 1, 1}});
+  EXPECT_EQ(clamps_of(three), Names{}) << "what is left is the cap";
   Case side_by_side = two_halves({});
   Part inner = side_by_side.parts[0];
   inner.name = "inner";
   side_by_side.parts.push_back(inner);
   side_by_side.caps[0].of.push_back("inner.start");
   side_by_side.caps[1].of = {"beam.end", "inner.end"};
-  EXPECT_EQ(clamps_of(side_by_side), Names{}) << "a beam within a beam";
+  const Names within{"caps.root.beam.start", "caps.root.inner.start", "caps.joint"};
+  EXPECT_EQ(clamps_of(side_by_side), within) << "a beam within a beam";
+  Case supported = two_halves({});
+  supported.supports.push_back({"beam.end", {0, 1, 2, 3, 4, 5}});
+  EXPECT_EQ(clamps_of(supported), Names{"caps.joint"});
 }
 
 TEST(SprungClamps, that_stay_rigid_are_told) {
-  Case in_a_row = two_halves({}), one_part = in_a_row;
-  one_part.caps.back().of = {"beam.end", "beam.point[2]"};
-  for (Case* c : {&in_a_row, &one_part}) put_springs_in_clamps(*c);
-  EXPECT_EQ(clamps_left_rigid(in_a_row), Names{});
-  EXPECT_EQ(clamps_left_rigid(one_part), Names{"caps.joint"});
+  Case nothing_there = two_halves({});
+  nothing_there.parts.clear();
+  EXPECT_EQ(clamps_left_rigid(nothing_there), Names{"caps.joint"});
+  Case found = two_halves({});
+  put_springs_in_clamps(found);
+  EXPECT_EQ(clamps_left_rigid(found), Names{});
+}
+
+// Two halves on one mount at their joint, the second one loose in bending: what a run of the case
+// that says so has, and the other half goes on as it did.
+TEST(SprungClamps, at_a_mount_are_followed_end_by_end) {
+  Measured m;
+  m.specimen = "beam";
+  add_modes(m, "");
+  const Case nominal = mounted_joint();
+  constexpr double loose = 5e3; // Nm/rad
+  const Nominal model = nominal_of(nominal, m);
+  const Structure s = model.structure(m);
+  const TestReadings readings = readings_of({.data = m, .responses = {}});
+  const Eigen::VectorXd as_drawn = read_by(nominal, m);
+  EXPECT_LT((*Predictor(model, readings, {})(Eigen::VectorXd()) - as_drawn).cwiseAbs().maxCoeff(),
+            1e-3);
+  std::map<std::string, int> followed;
+  for (const Hypothesis& h : joint_stiffness().hypotheses(s)) {
+    if (!h.place.starts_with("caps.joint.") || h.way != "bending") continue;
+    const CaseEdits edits = h.in_case(nominal, Eigen::VectorXd::Constant(1, loose));
+    ASSERT_EQ(edits.size(), 1U);
+    EXPECT_EQ(edits[0].path, "caps.joint.ends");
+    Sextuple springs{1e11, 1e11, 1e11, loose, 1e11, loose};
+    Case truth = nominal;
+    truth.caps.back().ends = {
+        {.end = h.place.substr(std::string("caps.joint.").size()), .stiffness = springs}};
+    EXPECT_EQ(edits[0].value.find("[{end: '" + truth.caps.back().ends[0].end + "'"), 0U);
+    const Eigen::VectorXd whole = read_by(truth, m), own = *Predictor(model, readings, {&h})(
+                                                         Eigen::VectorXd::Constant(1, loose));
+    if (h.place == "caps.joint.beam2.start")
+      EXPECT_GT((as_drawn - whole).maxCoeff(), 0.02) << "it is seen";
+    for (Eigen::Index i = 0; i < whole.size(); ++i)
+      EXPECT_NEAR(own[i], whole[i], 1e-3) << h.place << " " << i;
+    ++followed[h.place];
+  }
+  EXPECT_EQ(followed.size(), 2U);
 }
 
 // The interlock ends in the caps of its bellows and is a joint itself; a clamp between pipe and

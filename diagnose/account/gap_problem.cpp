@@ -145,11 +145,11 @@ void state_errors(GapProblem& p, const Guards& without) {
 // Clamps drawn as rigid of which a hypothesis says otherwise.
 std::vector<std::string> clamps_that_may_give_way(const GapProblem& p) {
   std::vector<std::string> found;
-  for (const std::string& cap : p.nominal.rigid_clamps)
+  for (const std::string& place : p.nominal.rigid_clamps)
     if (std::any_of(p.hypotheses.begin(), p.hypotheses.end(), [&](const Hypothesis& h) {
-          return h.place == cap_key(cap) && h.effect.starts_with("joint_");
+          return h.place == place && h.effect.starts_with("joint_");
         }))
-      found.push_back(cap_key(cap));
+      found.push_back(place);
   return found;
 }
 
@@ -191,9 +191,8 @@ void list_hypotheses(GapProblem& p) {
                                   fmt::join(clamps, ", ")));
   if (const std::vector<std::string> rigid = clamps_left_rigid(p.nominal.states.front().data);
       !rigid.empty())
-    p.words.push_back(fmt::format("left rigid, as parts lie side by side there, ends of one part "
-                                  "meet or a support holds them: {}",
-                                  fmt::join(rigid, ", ")));
+    p.words.push_back(
+        fmt::format("left rigid, as no elements are there: {}", fmt::join(rigid, ", ")));
 }
 
 } // namespace

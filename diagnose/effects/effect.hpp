@@ -135,7 +135,8 @@ struct Structure {
   double mass = 0;      // kg
   double length = 0;    // m
   double frequency = 0; // Hz, of the lowest four modes, their geometric mean
-  // Caps that the case draws as rigid and that stand on springs in `data` (sprung_clamps.hpp).
+  // Places of clamps that the case draws as rigid and that stand on springs in `data`
+  // (sprung_clamps.hpp).
   std::vector<std::string> rigid_clamps = {};
   bool reads_across = false; // the test reads motion along other axes than what moves the part
 };

@@ -2,6 +2,10 @@
 #include "diagnose/effects/joints_together.hpp"
 #include "model/description/place_keys.hpp"
 
+#include <algorithm>
+#include <fmt/ranges.h>
+#include <iterator>
+
 namespace plica {
 namespace {
 
@@ -20,25 +24,58 @@ std::pair<std::string, const LinerContact*> contact_at(const Case& now, const st
   return {};
 }
 
+bool bears(JointDirection own, JointDirection motion) {
+  return motion == JointDirection::all || motion == own;
+}
+
+Sextuple times_in(Sextuple k, JointDirection motion, double factor) {
+  constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
+                              JointDirection::lateral, JointDirection::bending,
+                              JointDirection::torsion, JointDirection::bending};
+  for (std::size_t i = 0; i < k.size(); ++i)
+    if (bears(of_row[i], motion)) k[i] *= factor;
+  return k;
+}
+
+std::string entry_of(const SprungEnd& e) {
+  return fmt::format("{{end: '{}', stiffness: {}}}", e.end, yaml_of(e.stiffness));
+}
+
+// The springs of a cap at some of its places. None where they slip: stuck, they are more than
+// these.
+CaseEdits with_cap(const Cap& now, const std::vector<std::string>& places, const Sextuple& rigid,
+                   JointDirection motion, double factor) {
+  const auto is_meant = [&](const std::string& place) {
+    return std::find(places.begin(), places.end(), place) != places.end();
+  };
+  const std::string key = cap_key(now.name);
+  CaseEdits edits;
+  if (is_meant(key) && !now.friction)
+    edits.push_back(
+        {key + ".stiffness", yaml_of(times_in(now.stiffness.value_or(rigid), motion, factor))});
+  std::vector<std::string> all; // the ends on springs that they have now, and on new ones
+  for (std::size_t i = 0; i < now.ends.size(); ++i) {
+    const SprungEnd& e = now.ends[i];
+    all.push_back(entry_of(e));
+    if (is_meant(sprung_end_key(now.name, e.end)) && !e.friction)
+      edits.push_back({fmt::format("{}.ends[{}].stiffness", key, i),
+                       yaml_of(times_in(e.stiffness, motion, factor))});
+  }
+  const std::size_t before = all.size();
+  for (const std::string& end : now.of)
+    if (is_meant(sprung_end_key(now.name, end)) && !hangs_on_springs(now, end))
+      all.push_back(entry_of({.end = end, .stiffness = times_in(rigid, motion, factor)}));
+  if (all.size() > before)
+    edits.push_back({key + ".ends", fmt::format("[{}]", fmt::join(all, ", "))});
+  return edits;
+}
+
 // Numbers of a joint that bear a motion, times a factor; where it has none those of what stands in
 // for it.
 CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& stand_in,
                      JointDirection motion, double factor) {
   CaseEdits edits;
-  const auto bears = [&](JointDirection own) {
-    return motion == JointDirection::all || motion == own;
-  };
-  if (is_at_cap(place)) {
-    if (cap_named(now, cap_of(place))->friction)
-      return {}; // stuck, its springs are more than these
-    Sextuple k = cap_named(now, cap_of(place))->stiffness.value_or(stand_in.springs);
-    constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
-                                JointDirection::lateral, JointDirection::bending,
-                                JointDirection::torsion, JointDirection::bending};
-    for (std::size_t i = 0; i < k.size(); ++i)
-      if (bears(of_row[i])) k[i] *= factor;
-    return {{place + ".stiffness", yaml_of(k)}};
-  }
+  const auto bears = [&](JointDirection own) { return plica::bears(own, motion); };
   if (const auto [liner, contact] = contact_at(now, place); contact) {
     if (contact->friction) return {};
     const std::string path = part_key(liner) + ".contact.";
@@ -77,11 +114,29 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
   return edits;
 }
 
+CaseEdits with_joints(const Case& now, const std::vector<std::string>& places,
+                      const StandIn& stand_in, JointDirection motion, double factor) {
+  CaseEdits edits;
+  const auto take = [&](CaseEdits more) {
+    edits.insert(edits.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+  };
+  for (const Cap& cap : now.caps) take(with_cap(cap, places, stand_in.springs, motion, factor));
+  for (const std::string& place : places)
+    if (!is_at_cap(place)) take(with_joint(now, place, stand_in, motion, factor));
+  return edits;
+}
+
 StandIn stand_in_of(const Structure& s, const JointGroup& group,
                     const std::vector<std::string>& places) {
   StandIn found;
   if (!group.present) found.tube = tube_of(s.built.model, group);
-  if (group.rigid) found.springs = cap_named(s.data, cap_of(places.front()))->stiffness.value();
+  if (group.rigid)
+    for (const Cap& cap : s.data.caps) {
+      if (cap_key(cap.name) == places.front()) found.springs = cap.stiffness.value();
+      for (const SprungEnd& e : cap.ends)
+        if (sprung_end_key(cap.name, e.end) == places.front()) found.springs = e.stiffness;
+    }
   return found;
 }
 
@@ -103,12 +158,7 @@ std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
                },
            .in_case =
                [places, stand_in, motion, size](const Case& now, const Eigen::VectorXd& v) {
-                 CaseEdits edits;
-                 for (const std::string& place : places)
-                   for (auto& edit :
-                        with_joint(now, place, stand_in, motion, size.share * size.units(v[0])))
-                     edits.push_back(std::move(edit));
-                 return edits;
+                 return with_joints(now, places, stand_in, motion, size.share * size.units(v[0]));
                }});
     };
     // What a rigid clamp has in one motion in terms of another nobody knows: no factor of all.

@@ -52,6 +52,9 @@ std::set<int> nodes_named(const Structure& s, const std::string& name) {
     if (name == cap_key(cap) || name == mount_key(cap) ||
         (name == cap && cap.starts_with("supports[")))
       nodes.insert(node);
+  for (const Cap& cap : s.data.caps)
+    for (const std::string& end : cap.of)
+      if (name == sprung_end_key(cap.name, end)) nodes.insert(s.built.end_nodes.at(end));
   for (const Mount& m : s.data.mount)
     if (name == all_mounts && m.kind != MountKind::free) nodes.insert(cap_node(s, m.cap));
   for (const auto& [all, rigid] : {std::pair{"joints", false}, {"clamps", true}})

@@ -38,7 +38,7 @@ struct Nominal {
   std::vector<NominalState> states; // the first: as it stands
   double stiffness = 0, mass = 0, length = 0, frequency = 0;
   bool coarse = false;                        // the mesh is coarser than that of the case
-  std::vector<std::string> rigid_clamps = {}; // caps drawn so, here on springs (sprung_clamps.hpp)
+  std::vector<std::string> rigid_clamps = {}; // drawn so, here on springs (sprung_clamps.hpp)
 
   const NominalState& state(const std::string& name) const;
   Structure structure(const Measured& measured) const;

@@ -11,33 +11,23 @@
 namespace plica {
 namespace {
 
-std::set<std::string> parts_of(const Cap& cap) {
-  std::set<std::string> parts;
-  for (const std::string& end : cap.of) parts.insert(part_of_set(end));
-  return parts;
-}
-
-bool side_by_side(const std::set<std::string>& parts, const Cap& other) {
-  const std::set<std::string> there = parts_of(other);
-  return std::count_if(parts.begin(), parts.end(),
-                       [&](const std::string& part) { return there.contains(part); }) > 1;
-}
-
-bool joins_in_a_row(const Case& data, const Cap& cap) {
-  const std::set<std::string> parts = parts_of(cap);
-  return cap.of.size() > 1 && parts.size() == cap.of.size() &&
-         std::none_of(data.caps.begin(), data.caps.end(), [&](const Cap& other) {
-           return other.name != cap.name && side_by_side(parts, other);
-         });
-}
-
 bool is_mounted(const Case& data, const std::string& cap) {
   return std::any_of(data.mount.begin(), data.mount.end(),
                      [&](const Mount& m) { return m.cap == cap && m.kind != MountKind::free; });
 }
 
+// Of a cap, those that it holds rigidly and that may give way: against each other, against its
+// mount or against what already hangs on springs.
+std::vector<std::string> rigid_ends(const Case& data, const Cap& cap) {
+  if (cap.of.size() < 2 || cap.stiffness) return {};
+  std::vector<std::string> ends = cap.of;
+  std::erase_if(ends, [&](const std::string& end) { return hangs_on_springs(cap, end); });
+  if (ends.size() == 1 && !is_mounted(data, cap.name)) ends.clear(); // it is the cap
+  return ends;
+}
+
 // What the elements at a node resist to one of its motions, all other nodes held. A node that
-// follows others, as the arm of a chain does, moves by what each of these gives way. 0: it is held.
+// follows others, as the arm of a chain does, moves by what each of these gives way. 0: nothing.
 double resistance(const System& system, int node, int direction) {
   const auto dof = std::size_t(6 * node + direction);
   const auto own = [&](int i) { return system.K.coeff(i, i); };
@@ -48,7 +38,7 @@ double resistance(const System& system, int node, int direction) {
   return compliance > 0 ? 1 / compliance : 0;
 }
 
-// In all three translations, or from 3 on in all three rotations; 0: one of them is held.
+// In all three translations, or from 3 on in all three rotations; 0: in one of them nothing does.
 double largest_resistance(const System& system, int node, int first) {
   double largest = 0;
   for (int d = first; d < first + 3; ++d) {
@@ -57,6 +47,17 @@ double largest_resistance(const System& system, int node, int first) {
     largest = std::max(largest, own);
   }
   return largest;
+}
+
+// As it is without mounts and supports, so that nodes that these hold have what the parts resist.
+System unheld(const Case& data, Model& model) {
+  std::set<std::string> mounts;
+  for (const Mount& m : data.mount) mounts.insert(mount_key(m.cap));
+  std::erase_if(model.bushings, [&](const BushingElement& b) {
+    return b.node2 < 0 && mounts.contains(model.components[std::size_t(b.component)]);
+  });
+  std::erase_if(model.constraints, [](const Constraint& c) { return c.terms.empty(); });
+  return assemble(model);
 }
 
 // The next power of ten, which an explained case then shows.
@@ -70,11 +71,10 @@ double rigid_beside(double resistance) {
 std::vector<std::string> put_springs_in_clamps(Case& data) {
   std::vector<Cap*> clamps;
   for (Cap& cap : data.caps)
-    if (!cap.stiffness && !is_mounted(data, cap.name) && joins_in_a_row(data, cap))
-      clamps.push_back(&cap);
+    if (!rigid_ends(data, cap).empty()) clamps.push_back(&cap);
   if (clamps.empty()) return {};
-  const BuiltCase built = build(data);
-  const System system = assemble(built.model);
+  BuiltCase built = build(data);
+  const System system = unheld(data, built.model);
   double moving = 0, turning = 0;
   std::erase_if(clamps, [&](const Cap* clamp) {
     const int node = built.cap_nodes.at(clamp->name);
@@ -85,20 +85,28 @@ std::vector<std::string> put_springs_in_clamps(Case& data) {
     turning = std::max(turning, rotation);
     return false;
   });
-  std::vector<std::string> names;
+  std::vector<std::string> places;
   for (Cap* clamp : clamps) {
     const double k = rigid_beside(moving), k_turning = rigid_beside(turning);
-    clamp->stiffness = Sextuple{k, k, k, k_turning, k_turning, k_turning};
-    names.push_back(clamp->name);
+    const Sextuple springs{k, k, k, k_turning, k_turning, k_turning};
+    const std::vector<std::string> ends = rigid_ends(data, *clamp);
+    if (clamp->of.size() == 2 && ends.size() == 2 && !is_mounted(data, clamp->name)) {
+      clamp->stiffness = springs;
+      places.push_back(cap_key(clamp->name));
+      continue;
+    }
+    for (const std::string& end : ends) {
+      clamp->ends.push_back({.end = end, .stiffness = springs});
+      places.push_back(sprung_end_key(clamp->name, end));
+    }
   }
-  return names;
+  return places;
 }
 
 std::vector<std::string> clamps_left_rigid(const Case& data) {
   std::vector<std::string> found;
   for (const Cap& cap : data.caps)
-    if (!cap.stiffness && cap.of.size() > 1 && !is_mounted(data, cap.name))
-      found.push_back(cap_key(cap.name));
+    if (!rigid_ends(data, cap).empty()) found.push_back(cap_key(cap.name));
   return found;
 }
 

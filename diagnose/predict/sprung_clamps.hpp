@@ -7,19 +7,21 @@
 //
 // A force that a mode sends through the clamp strains these elements, too, and with them the rest
 // of the parts: of the energy of a mode the springs have less than a thousandth of what they have.
+//
+// Where a cap joins two ends and is not mounted the springs stand between these (its `stiffness`);
+// else each end hangs on springs of its own (`ends`), so that one of several bolts may be loose.
 #pragma once
 
 #include "model/description/case.hpp"
 
 namespace plica {
 
-// Puts such springs, alike at all, into caps that join parts in a row, and names these caps. Left
-// rigid are caps that are mounted, that hold several ends of one part, whose parts meet in another
-// cap too (side by side, as a pipe within a pipe), whose node a support holds, and all of a case
-// that a state loads. Throws as build() does.
+// Puts such springs, alike at all, into caps that join ends and have none, and names the places:
+// "caps.joint", "caps.flange.pipe.end". Left rigid are caps at which no elements resist. Throws as
+// build() does.
 std::vector<std::string> put_springs_in_clamps(Case& data);
 
-// Keys of caps that join ends rigidly all the same and are not mounted.
+// Keys of caps that join ends rigidly all the same.
 std::vector<std::string> clamps_left_rigid(const Case& data);
 
 } // namespace plica

@@ -95,9 +95,17 @@ std::vector<std::string> excitation_names(const Response& response) {
   return names;
 }
 
+bool hangs_on_springs(const Cap& cap, const std::string& end) {
+  return std::any_of(cap.ends.begin(), cap.ends.end(),
+                     [&](const SprungEnd& e) { return e.end == end; });
+}
+
 bool has_damped_springs(const Case& data) {
   const auto damped = [](const auto& held) { return held.damping.has_value(); };
-  return std::any_of(data.caps.begin(), data.caps.end(), damped) ||
+  const auto at_cap = [&](const Cap& cap) {
+    return damped(cap) || std::any_of(cap.ends.begin(), cap.ends.end(), damped);
+  };
+  return std::any_of(data.caps.begin(), data.caps.end(), at_cap) ||
          std::any_of(data.mount.begin(), data.mount.end(), damped);
 }
 
@@ -115,11 +123,13 @@ bool has_friction(const Case& data) {
     return chain->friction || curved(chain->spring) ||
            (chain->end_spring && curved(*chain->end_spring));
   };
+  const auto slips = [](const auto& held) { return held.friction.has_value(); };
+  const auto at_cap = [&](const Cap& cap) {
+    return slips(cap) || std::any_of(cap.ends.begin(), cap.ends.end(), slips);
+  };
   return std::any_of(data.parts.begin(), data.parts.end(), in_part) ||
-         std::any_of(data.caps.begin(), data.caps.end(),
-                     [](const Cap& c) { return c.friction.has_value(); }) ||
-         std::any_of(data.mount.begin(), data.mount.end(),
-                     [](const Mount& m) { return m.friction.has_value(); });
+         std::any_of(data.caps.begin(), data.caps.end(), at_cap) ||
+         std::any_of(data.mount.begin(), data.mount.end(), slips);
 }
 
 } // namespace plica

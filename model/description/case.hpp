@@ -18,6 +18,14 @@ namespace plica {
 
 // Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends
 // of several parts it joins them, a clamp.
+// An end that hangs on springs of its own at its cap, such as one of several bolts.
+struct SprungEnd {
+  std::string end = {}; // one of those that the cap joins
+  Sextuple stiffness{};
+  std::optional<JointFriction> friction = {}; // beside these springs
+  std::optional<SpringDamping> damping = {};  // of these springs
+};
+
 struct Cap {
   std::string name;
   std::vector<std::string> of = {}; // sets it closes, e.g. "bellows.left"
@@ -25,10 +33,13 @@ struct Cap {
       {}; // springs between the first end and the others; none = rigid
   std::optional<JointFriction> friction = {}; // beside these springs
   std::optional<SpringDamping> damping = {};  // of these springs
+  std::vector<SprungEnd> ends = {};           // on springs of their own; the others are rigid
   double mass = 0;
   Sextuple inertia{}; // about its centre of mass, kg m2
   Triple offset{};    // reference node to centre of mass
 };
+
+bool hangs_on_springs(const Cap& cap, const std::string& end); // of its own (SprungEnd)
 
 enum class MountKind { free, rigid, springs };
 

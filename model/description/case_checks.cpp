@@ -22,6 +22,21 @@ namespace plica {
 
 namespace {
 
+void check_sprung_ends(const Cap& cap, CheckLog& log) {
+  const std::string key = cap_key(cap.name);
+  if (cap.stiffness && !cap.ends.empty())
+    log.add(key + ".ends", "stand beside `stiffness`, the springs between the first end and all "
+                           "others",
+            "one of the two");
+  std::set<std::string> sprung;
+  for (std::size_t i = 0; i < cap.ends.size(); ++i) {
+    const std::string place = item(key + ".ends", i) + ".end";
+    if (!log.fine(place) || !log.fine(key + ".of")) continue;
+    log.reference(place, "end of this cap", cap.ends[i].end, cap.of);
+    log.once(sprung, cap.ends[i].end, place, "end");
+  }
+}
+
 void check_caps(const Case& data, CheckLog& log) {
   std::map<std::string, std::string> closed;
   for (const Cap& cap : data.caps) {
@@ -35,6 +50,7 @@ void check_caps(const Case& data, CheckLog& log) {
     if (cap.stiffness && cap.of.size() < 2 && log.fine(key + ".of"))
       log.add(key + ".stiffness", "is that of a joint, and the cap joins nothing",
               "give of: [first end, second end]");
+    check_sprung_ends(cap, log);
     check_inertia(key + ".inertia", cap.inertia, log);
   }
 }

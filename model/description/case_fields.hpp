@@ -13,6 +13,19 @@
 
 namespace plica {
 
+template <class V> void fields(V& v, SprungEnd& e) {
+  v.text(e.end, "end", {.required = true}, "one of those that the cap joins");
+  v.quantities(e.stiffness, "stiffness",
+               {.unit = Dimension::stiffness,
+                .required = true,
+                .min = 0,
+                .exclusive_min = true,
+                .tail = Dimension::rotational_stiffness},
+               "between that end and the cap, at the end: [ux, uy, uz, rx, ry, rz]");
+  v.object(e.friction, "friction", optional_key, "beside these springs");
+  v.object(e.damping, "damping", optional_key, "of these springs");
+}
+
 template <class V> void fields(V& v, Cap& c) {
   v.one_or_more(c.of, "of", "end circle it closes, e.g. bellows.left, or a list of ends it joins");
   v.quantities(c.stiffness, "stiffness",
@@ -24,6 +37,8 @@ template <class V> void fields(V& v, Cap& c) {
                "out: rigid");
   v.object(c.friction, "friction", optional_key, "of that joint, beside its stiffness");
   v.object(c.damping, "damping", optional_key, "of the springs of that joint");
+  v.list(c.ends, "ends", optional_key,
+         "ends that hang on springs of their own, in place of `stiffness`; the others are rigid");
   v.quantity(c.mass, "mass", {.unit = Dimension::mass, .min = 0}, "mass");
   v.quantities(c.inertia, "inertia", {.unit = Dimension::inertia},
                "about its centre of mass: [xx, yy, zz, xy, yz, zx]");

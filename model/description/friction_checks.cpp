@@ -124,6 +124,10 @@ void check_levels(const Case& data, CheckLog& log) {
 void check_friction(const Case& data, CheckLog& log) {
   for (const Part& part : data.parts) check_part(part, log);
   for (const Cap& cap : data.caps) {
+    for (std::size_t i = 0; i < cap.ends.size(); ++i)
+      if (cap.ends[i].friction)
+        check_directions(item(cap_key(cap.name) + ".ends", i) + ".friction", *cap.ends[i].friction,
+                         log);
     const std::string key = cap_key(cap.name) + ".friction";
     if (!cap.friction) continue;
     check_directions(key, *cap.friction, log);

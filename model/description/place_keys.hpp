@@ -14,6 +14,10 @@ inline std::string part_key(const std::string& part) {
 inline std::string cap_key(const std::string& cap) {
   return "caps." + cap;
 }
+// The springs of one of its ends: "caps.flange.pipe.end".
+inline std::string sprung_end_key(const std::string& cap, const std::string& end) {
+  return cap_key(cap) + "." + end;
+}
 inline std::string mount_key(const std::string& cap) {
   return "mount." + cap;
 }

@@ -69,8 +69,10 @@ void check_damping(const Case& data, CheckLog& log) {
   }
   for (const Mount& m : data.mount)
     if (m.kind == MountKind::springs) components.push_back(mount_key(m.cap));
-  for (const Cap& cap : data.caps)
+  for (const Cap& cap : data.caps) {
     if (cap.stiffness) components.push_back(cap_key(cap.name));
+    for (const SprungEnd& e : cap.ends) components.push_back(sprung_end_key(cap.name, e.end));
+  }
   std::set<std::string> damped;
   for (std::size_t i = 0; i < d.loss_factors.size(); ++i) {
     const std::string place = item(key + ".loss_factors", i) + ".of";

@@ -33,6 +33,9 @@ void check_law(const SpringDamping& d, const std::string& key, CheckLog& log) {
 
 void check_spring_damping(const Case& data, CheckLog& log) {
   for (const Cap& cap : data.caps) {
+    for (std::size_t i = 0; i < cap.ends.size(); ++i)
+      if (cap.ends[i].damping)
+        check_law(*cap.ends[i].damping, item(cap_key(cap.name) + ".ends", i) + ".damping", log);
     const std::string key = cap_key(cap.name) + ".damping";
     if (!cap.damping) continue;
     check_law(*cap.damping, key, log);

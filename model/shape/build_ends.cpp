@@ -31,13 +31,19 @@ void tie_spider(Building& b, const std::string& cap, int leader, const std::vect
   asked_at(b.built.model, first, cap_key(cap) + ".of");
 }
 
-// Reference node in the middle of the circles, tied rigidly to them. One that follows others, or
-// may have to as places on shells do, cannot follow it too: it leads them.
-int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
+// The one node of the circles that follows others, or may have to as places on shells do: it cannot
+// follow a cap too.
+std::optional<int> leader_among(const Building& b, const std::vector<int>& circles) {
   const std::set<int> followers = b.followers_among(circles);
   const auto leads = [&](int node) { return followers.contains(node) || b.is_on_wall(node); };
-  if (const auto leader = std::find_if(circles.begin(), circles.end(), leads);
-      leader != circles.end() && std::none_of(leader + 1, circles.end(), leads)) {
+  const auto leader = std::find_if(circles.begin(), circles.end(), leads);
+  if (leader == circles.end() || std::any_of(leader + 1, circles.end(), leads)) return std::nullopt;
+  return *leader;
+}
+
+// Reference node in the middle of the circles, tied rigidly to them, or the node that leads them.
+int add_spider(Building& b, const std::string& cap, const std::vector<int>& circles) {
+  if (const auto leader = leader_among(b, circles)) {
     std::vector<int> others = circles;
     std::erase(others, *leader);
     if (!others.empty()) tie_spider(b, cap, *leader, others);
@@ -61,16 +67,42 @@ void add_dampers(Building& b, const std::string& place, int node1, int node2,
       b.built.dampers.push_back({place, node1, node2, dof, stiffness[dof], law});
 }
 
-void add_joint(Building& b, const Cap& cap, int node, const std::vector<int>& others) {
-  BushingElement joint{.node1 = node, .node2 = add_spider(b, cap.name, others), .bushing = {}};
-  joint.component = b.component(cap_key(cap.name));
-  for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = (*cap.stiffness)[i];
+// `springs`: of a cap or of an end of it, with what slips and damps beside them.
+template <class Springs>
+void add_joint(Building& b, const std::string& place, int node1, int node2,
+               const Sextuple& stiffness, const Springs& springs) {
+  BushingElement joint{.node1 = node1, .node2 = node2, .bushing = {}};
+  joint.component = b.component(place);
+  for (int i = 0; i < 6; ++i) joint.bushing.law(i, i) = stiffness[i];
   b.built.model.bushings.push_back(joint);
-  add_dampers(b, cap_key(cap.name), joint.node1, joint.node2, *cap.stiffness, cap.damping);
-  if (cap.friction)
-    add_joints(b.built.joints, {cap_key(cap.name), 0, joint.node1, joint.node2, joint.component},
-               directional_laws(*cap.friction));
-  for (std::size_t i = 1; i < cap.of.size(); ++i) b.cap_of_end[cap.of[i]] = joint.node2;
+  add_dampers(b, place, node1, node2, stiffness, springs.damping);
+  if (springs.friction)
+    add_joints(b.built.joints, {place, 0, node1, node2, joint.component},
+               directional_laws(*springs.friction));
+}
+
+// The cap as a rigid body, where the end hangs on it: its node, or one that follows it there.
+int arm_to(Building& b, const std::string& cap, int node, int end) {
+  const Vector3d from = b.built.model.mesh.nodes[std::size_t(node)],
+                 to = b.built.model.mesh.nodes[std::size_t(end)];
+  constexpr double same_place = 1e-9; // m
+  if ((to - from).norm() < same_place) return node;
+  const int arm = add_node(b.built.model, to);
+  tie_spider(b, cap, node, {arm});
+  return arm;
+}
+
+// The node of a cap that the rigid ones of its ends follow: where it would lie if all did, unless
+// one of these has to lead.
+int add_body(Building& b, const std::string& cap, const std::vector<int>& all,
+             const std::vector<int>& rigid) {
+  if (leader_among(b, rigid)) return add_spider(b, cap, rigid);
+  const auto& mesh = b.built.model.mesh;
+  const auto leader = leader_among(b, all);
+  const int node =
+      add_node(b.built.model, leader ? mesh.nodes[std::size_t(*leader)] : centroid(mesh, all));
+  if (!rigid.empty()) tie_spider(b, cap, node, rigid);
+  return node;
 }
 
 // Sections of pipes and connectors are rigid: the node in the middle of the nearest one, and its
@@ -109,18 +141,39 @@ std::pair<int, double> nearest_beam(const Building& b, const Sensor& sensor) {
 
 void add_caps(Building& b) {
   for (const Cap& cap : b.data.caps) {
-    std::vector<int> first, others;
+    const std::string key = cap_key(cap.name);
+    const auto circle_of = [&](const std::string& end) -> const std::vector<int>& {
+      return b.set(end, key + ".of");
+    };
+    std::vector<int> all, rigid, others; // others: across the springs of the cap
+    const auto add = [&](std::vector<int>& to, const std::string& end) {
+      const std::vector<int>& circle = circle_of(end);
+      to.insert(to.end(), circle.begin(), circle.end());
+    };
     for (const std::string& end : cap.of) {
-      const std::vector<int>& circle = b.set(end, cap_key(cap.name) + ".of");
-      std::vector<int>& side = first.empty() || !cap.stiffness ? first : others;
-      side.insert(side.end(), circle.begin(), circle.end());
+      if (cap.stiffness && !all.empty()) {
+        add(others, end);
+        continue;
+      }
+      add(all, end);
+      if (!hangs_on_springs(cap, end)) add(rigid, end);
     }
-    const int node = add_spider(b, cap.name, first);
+    const int node = add_body(b, cap.name, all, rigid);
     b.built.cap_nodes[cap.name] = node;
-    for (const std::string& end : cap.of) b.cap_of_end[end] = node;
+    for (const std::string& end : cap.of) b.built.end_nodes[end] = node;
     if (has_mass(cap.mass, cap.inertia))
       b.built.model.masses.push_back({node, rigid_mass(cap.mass, cap.inertia, cap.offset)});
-    if (!others.empty()) add_joint(b, cap, node, others);
+    if (!others.empty()) {
+      const int across = add_spider(b, cap.name, others);
+      add_joint(b, key, node, across, *cap.stiffness, cap);
+      for (std::size_t i = 1; i < cap.of.size(); ++i) b.built.end_nodes[cap.of[i]] = across;
+    }
+    for (const SprungEnd& e : cap.ends) {
+      const int own = add_spider(b, cap.name, circle_of(e.end));
+      add_joint(b, sprung_end_key(cap.name, e.end), arm_to(b, cap.name, node, own), own,
+                e.stiffness, e);
+      b.built.end_nodes[e.end] = own;
+    }
   }
 }
 
@@ -132,13 +185,26 @@ bool is_of_ends(const std::string& path) {
                                        : key == "stiffness";
 }
 
+namespace {
+
+bool same_springs(const std::vector<SprungEnd>& a, const std::vector<SprungEnd>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const SprungEnd& one, const SprungEnd& other) {
+                      return one.end == other.end && one.stiffness == other.stiffness;
+                    });
+}
+
+} // namespace
+
 bool renew_ends(BuiltCase& built, const Case& before, const Case& after) {
   Model& model = built.model;
   if (before.caps.size() != after.caps.size() || before.mount.size() != after.mount.size())
     return false;
   for (std::size_t i = 0; i < after.caps.size(); ++i) {
     const Cap &old = before.caps[i], &cap = after.caps[i];
-    if (old.name != cap.name || old.of != cap.of || old.stiffness != cap.stiffness) return false;
+    if (old.name != cap.name || old.of != cap.of || old.stiffness != cap.stiffness ||
+        !same_springs(old.ends, cap.ends))
+      return false;
     const int node = built.cap_nodes.at(cap.name);
     if (has_mass(old.mass, old.inertia)) {
       const RigidMass body = rigid_mass(old.mass, old.inertia, old.offset);

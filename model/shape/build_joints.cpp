@@ -70,8 +70,11 @@ std::optional<std::vector<JointLaw>> laws_in(const Case& data,
       for (DirectionalLaw& d : by_place[part.name]) d.law = in_series(d.law, segments);
     }
   }
-  for (const Cap& cap : data.caps)
+  for (const Cap& cap : data.caps) {
     if (cap.friction) by_place[cap_key(cap.name)] = directional_laws(*cap.friction);
+    for (const SprungEnd& e : cap.ends)
+      if (e.friction) by_place[sprung_end_key(cap.name, e.end)] = directional_laws(*e.friction);
+  }
   for (const Mount& mount : data.mount)
     if (mount.friction) by_place[mount_key(mount.cap)] = directional_laws(*mount.friction);
   std::vector<JointLaw> laws;

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 // Reference node of the cap on a set, -1 = none.
 int cap_on(const Building& b, const std::string& set) {
-  const auto found = b.cap_of_end.find(set);
-  return found == b.cap_of_end.end() ? -1 : found->second;
+  const auto found = b.built.end_nodes.find(set);
+  return found == b.built.end_nodes.end() ? -1 : found->second;
 }
 
 // The liner ends in the cap of that end; without a cap it follows the end circle.

@@ -19,7 +19,6 @@ struct Building {
   JointState state;
   const PlyLaws& plies;
   BuiltCase built = {};
-  std::map<std::string, int> cap_of_end = {};   // reference node of the cap on a set
   std::vector<std::string> rigid_sections = {}; // parts whose sections are
 
   std::vector<PlacedOnWall> wall_places = {};

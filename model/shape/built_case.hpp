@@ -17,6 +17,7 @@ struct BuiltCase {
   std::vector<BuiltJoint> joints; // with friction or nonlinear springs
   std::vector<BuiltDamper> dampers;
   std::map<std::string, int> cap_nodes;  // reference node of each cap
+  std::map<std::string, int> end_nodes;  // of each end of a cap; across its springs another
   std::vector<int> held_nodes;           // reference nodes of rigidly mounted caps
   std::map<std::string, int> mass_nodes; // of each mass that is a part
   std::vector<BuiltSensor> sensors;

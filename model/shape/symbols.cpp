@@ -27,6 +27,7 @@ public:
     for (const Cap& cap : data_.caps) {
       add_mass(cap.name, built_.cap_nodes.at(cap.name), cap.mass);
       if (cap.stiffness) add_springs(cap_key(cap.name), cap.name);
+      for (const SprungEnd& e : cap.ends) add_springs(sprung_end_key(cap.name, e.end), cap.name);
     }
     for (const Mount& mount : data_.mount) {
       const int node = built_.cap_nodes.at(mount.cap);

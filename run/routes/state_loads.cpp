@@ -163,15 +163,19 @@ private:
     }
   }
 
-  // A cap has the temperature of the first end it closes.
+  // A cap has the temperature of the first end it closes; across its springs, of the first end there.
   void grow(const Cap& cap, StateLoads& loads) const {
-    const std::string& end = cap.of.front();
-    for (const PartTemperature& t : state_.temperature) {
-      if (t.part != part_of_set(end)) continue;
-      const Material& m = data_.materials.at(material_of(part_of(t)));
-      loads.growth[built_.cap_nodes.at(cap.name)] =
-          heated(m, temperature_of(t, model_.mesh.sets.at(end))).strain;
-    }
+    std::set<int> grown;
+    const auto grow_as = [&](int node, const std::string& end) {
+      if (!grown.insert(node).second) return;
+      for (const PartTemperature& t : state_.temperature) {
+        if (t.part != part_of_set(end)) continue;
+        const Material& m = data_.materials.at(material_of(part_of(t)));
+        loads.growth[node] = heated(m, temperature_of(t, model_.mesh.sets.at(end))).strain;
+      }
+    };
+    grow_as(built_.cap_nodes.at(cap.name), cap.of.front());
+    for (const std::string& end : cap.of) grow_as(built_.end_nodes.at(end), end);
   }
 
   void press() {
@@ -185,12 +189,9 @@ private:
     }
   }
 
-  // Area vector of the end about the node of its cap, out of the bellows.
+  // Area vector of the end about the node that it follows, out of the bellows.
   void close_end(const std::string& set, double sign) {
-    const auto cap = std::find_if(data_.caps.begin(), data_.caps.end(), [&](const Cap& c) {
-      return std::find(c.of.begin(), c.of.end(), set) != c.of.end();
-    });
-    const int node = built_.cap_nodes.at(cap->name);
+    const int node = built_.end_nodes.at(set);
     const auto& x = model_.mesh.nodes;
     const std::vector<int>& circle = model_.mesh.sets.at(set);
     Vector3d area = Vector3d::Zero();
