@@ -1,5 +1,6 @@
 // Ends that hang on springs of their own at their cap.
 #include "model/description/steels.hpp"
+#include "run/routes/state_loads.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/pipe_case.hpp"
 
@@ -151,8 +152,8 @@ TEST(SprungEnds, slip_and_damp_as_a_cap_does) {
   EXPECT_TRUE(has_damped_springs(of_end));
 }
 
-// Two pipes in a row, both hot: what a clamp holds grows with them on either side of its springs.
-TEST(SprungEnds, of_hot_pipes_grow_with_these) {
+// Two pipes in a row that meet in a clamp.
+Case two_pipes(const std::optional<Sextuple>& joint, bool on_ends) {
   Case pipes = test::pipe_of({1e-3});
   test::bellows_of(pipes).material = "1.4301";
   test::bellows_of(pipes).profile[0].length = 0.15;
@@ -165,18 +166,47 @@ TEST(SprungEnds, of_hot_pipes_grow_with_these) {
   Cap clamp;
   clamp.name = "clamp";
   clamp.of = {"bellows.right", "second.left"};
+  if (on_ends)
+    for (const std::string& end : clamp.of)
+      clamp.ends.push_back({.end = end, .stiffness = joint.value()});
+  else
+    clamp.stiffness = joint;
   pipes.caps[1].of = {"second.right"};
   pipes.caps.push_back(clamp);
   pipes.mount.erase(pipes.mount.begin() + 1, pipes.mount.end());
   pipes.analyses.modes = Modes{.count = 4};
   pipes.state.emplace();
-  pipes.state->temperature = {{.part = "bellows", .at = 500}, {.part = "second", .at = 500}};
-  Case joint = pipes, ends = pipes;
-  joint.caps[2].stiffness = rigid;
-  for (const std::string& end : clamp.of)
-    ends.caps[2].ends.push_back({.end = end, .stiffness = rigid});
-  expect_same(pipes, joint, 4, 1e-4);
-  expect_same(pipes, ends, 4, 1e-4);
+  return pipes;
+}
+
+// Both hot: what the clamp holds grows with them on either side of its springs.
+TEST(SprungEnds, of_hot_pipes_grow_with_these) {
+  const auto hot = [](Case pipes) {
+    pipes.state->temperature = {{.part = "bellows", .at = 500}, {.part = "second", .at = 500}};
+    return pipes;
+  };
+  expect_same(hot(two_pipes({}, false)), hot(two_pipes(rigid, false)), 4, 1e-4);
+  expect_same(hot(two_pipes({}, false)), hot(two_pipes(rigid, true)), 4, 1e-4);
+}
+
+// The cap closes both pipes: what presses on it from one side the other one takes back, and the
+// springs carry what the wall of the pipe does.
+TEST(SprungEnds, of_pipes_under_pressure_leave_the_thrust_on_the_cap) {
+  Case pipes = two_pipes(rigid, true);
+  pipes.state->pressure = 1e5;
+  BuiltCase built = build(pipes);
+  StateResult words;
+  state_loads(pipes, built, words);
+  Eigen::Vector3d both = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (const PressedEnd& end : built.model.pressed_ends)
+    if (end.node == built.cap_nodes.at("clamp")) {
+      both += end.area;
+      EXPECT_NEAR(std::abs(end.area.y()) / (pi * 0.03 * 0.03), 1, 0.01);
+      ++count;
+    }
+  EXPECT_EQ(count, 2);
+  EXPECT_NEAR(both.norm(), 0, 1e-12);
 }
 
 } // namespace

@@ -198,7 +198,7 @@ private:
     std::map<std::string, double> most;
     for (const EffectFits& f : ranked) {
       const std::string& place = f.best->fit.together[0]->place;
-      double& own = most[is_at_sensor(place) ? place : part_of_set(place)];
+      double& own = most[is_at_sensor(place) || is_at_cap(place) ? place : part_of_set(place)];
       own = std::max(own, f.best->log_bayes_factor);
     }
     for (const auto& [component, log_bayes] : most)

@@ -192,7 +192,8 @@ void list_hypotheses(GapProblem& p) {
   if (const std::vector<std::string> rigid = clamps_left_rigid(p.nominal.states.front().data);
       !rigid.empty())
     p.words.push_back(
-        fmt::format("left rigid, as no elements are there: {}", fmt::join(rigid, ", ")));
+        fmt::format("left rigid, as nothing resists there in one direction or more: {}",
+                    fmt::join(rigid, ", ")));
 }
 
 } // namespace

@@ -68,8 +68,8 @@ std::vector<JointGroup> joint_groups(const Structure& s) {
     g.mount = std::any_of(s.data.mount.begin(), s.data.mount.end(),
                           [&](const Mount& m) { return g.place == mount_key(m.cap); });
     if (!g.mount && !g.beside) g.stiffness /= double(g.bushings.size()); // in series
-    g.rigid = std::find(s.rigid_clamps.begin(), s.rigid_clamps.end(), g.place) !=
-              s.rigid_clamps.end();
+    g.rigid =
+        std::find(s.rigid_clamps.begin(), s.rigid_clamps.end(), g.place) != s.rigid_clamps.end();
   }
   for (const Part& part : s.data.parts) {
     const auto* liner = std::get_if<Interlock>(&part.body);

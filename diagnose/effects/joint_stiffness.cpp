@@ -65,6 +65,10 @@ CaseEdits with_cap(const Cap& now, const std::vector<std::string>& places, const
   for (const std::string& end : now.of)
     if (is_meant(sprung_end_key(now.name, end)) && !hangs_on_springs(now, end))
       all.push_back(entry_of({.end = end, .stiffness = times_in(rigid, motion, factor)}));
+  if (all.size() > before && std::any_of(now.ends.begin(), now.ends.end(), [](const SprungEnd& e) {
+        return e.friction || e.damping; // a list is written whole, and these have many keys
+      }))
+    return {};
   if (all.size() > before)
     edits.push_back({key + ".ends", fmt::format("[{}]", fmt::join(all, ", "))});
   return edits;

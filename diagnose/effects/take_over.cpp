@@ -106,7 +106,11 @@ CaseEdits with_damping(const Case& data, double factor) {
     for (std::size_t i = 0; own->dashpot && i < own->dashpot->size(); ++i)
       scale(edits, fmt::format("{}.damping.dashpot[{}]", at, i), (*own->dashpot)[i], factor);
   };
-  for (const Cap& cap : data.caps) spring(cap_key(cap.name), cap.damping);
+  for (const Cap& cap : data.caps) {
+    spring(cap_key(cap.name), cap.damping);
+    for (std::size_t i = 0; i < cap.ends.size(); ++i)
+      spring(fmt::format("{}.ends[{}]", cap_key(cap.name), i), cap.ends[i].damping);
+  }
   for (const Mount& mount : data.mount) spring(mount_key(mount.cap), mount.damping);
   return edits;
 }

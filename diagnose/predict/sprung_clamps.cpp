@@ -60,6 +60,19 @@ System unheld(const Case& data, Model& model) {
   return assemble(model);
 }
 
+// Whether the springs of the cap stand where its node is, so that they move nothing else.
+bool meet_in_one_place(const BuiltCase& built, const Cap& cap) {
+  const Mesh& mesh = built.model.mesh;
+  constexpr double same_place = 1e-6; // m
+  const Eigen::Vector3d& own = mesh.nodes[std::size_t(built.cap_nodes.at(cap.name))];
+  return std::all_of(cap.of.begin(), cap.of.end(), [&](const std::string& end) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    const std::vector<int>& nodes = mesh.sets.at(end);
+    for (int node : nodes) middle += mesh.nodes[std::size_t(node)] / double(nodes.size());
+    return (middle - own).norm() < same_place;
+  });
+}
+
 // The next power of ten, which an explained case then shows.
 double rigid_beside(double resistance) {
   constexpr double times = 1e3;
@@ -90,7 +103,8 @@ std::vector<std::string> put_springs_in_clamps(Case& data) {
     const double k = rigid_beside(moving), k_turning = rigid_beside(turning);
     const Sextuple springs{k, k, k, k_turning, k_turning, k_turning};
     const std::vector<std::string> ends = rigid_ends(data, *clamp);
-    if (clamp->of.size() == 2 && ends.size() == 2 && !is_mounted(data, clamp->name)) {
+    if (clamp->of.size() == 2 && ends.size() == 2 && !is_mounted(data, clamp->name) &&
+        meet_in_one_place(built, *clamp)) {
       clamp->stiffness = springs;
       places.push_back(cap_key(clamp->name));
       continue;

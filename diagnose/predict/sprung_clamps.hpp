@@ -8,8 +8,9 @@
 // A force that a mode sends through the clamp strains these elements, too, and with them the rest
 // of the parts: of the energy of a mode the springs have less than a thousandth of what they have.
 //
-// Where a cap joins two ends and is not mounted the springs stand between these (its `stiffness`);
-// else each end hangs on springs of its own (`ends`), so that one of several bolts may be loose.
+// Where a cap joins two ends in one place and is not mounted the springs stand between these (its
+// `stiffness`); else each end hangs on springs of its own (`ends`), so that one of several bolts
+// may be loose.
 #pragma once
 
 #include "model/description/case.hpp"
@@ -17,8 +18,8 @@
 namespace plica {
 
 // Puts such springs, alike at all, into caps that join ends and have none, and names the places:
-// "caps.joint", "caps.flange.pipe.end". Left rigid are caps at which no elements resist. Throws as
-// build() does.
+// "caps.joint", "caps.flange.pipe.end". Left rigid are caps at which nothing resists in one
+// direction or more. Throws as build() does.
 std::vector<std::string> put_springs_in_clamps(Case& data);
 
 // Keys of caps that join ends rigidly all the same.

@@ -32,7 +32,8 @@ template <class V> void fields(V& v, ModeDamping& m) {
 
 template <class V> void fields(V& v, LossFactor& l) {
   v.text(l.of, "of", {.required = true},
-         "a part, mount.<cap> of a spring mount, caps.<cap> of a joint, or <liner>.contact");
+         "a part, mount.<cap> of a spring mount, caps.<cap> of a joint, caps.<cap>.<end> of an end "
+         "on springs, or <liner>.contact");
   v.quantity(l.value, "value", {.unit = Dimension::ratio, .required = true, .min = 0, .max = 2},
              "structural loss factor, twice the fraction of critical damping");
 }

@@ -16,8 +16,6 @@
 
 namespace plica {
 
-// Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends
-// of several parts it joins them, a clamp.
 // An end that hangs on springs of its own at its cap, such as one of several bolts.
 struct SprungEnd {
   std::string end = {}; // one of those that the cap joins
@@ -26,6 +24,8 @@ struct SprungEnd {
   std::optional<SpringDamping> damping = {};  // of these springs
 };
 
+// Rigid end cap or flange: reference node in the middle of an end circle, tied to it. On the ends
+// of several parts it joins them, a clamp.
 struct Cap {
   std::string name;
   std::vector<std::string> of = {}; // sets it closes, e.g. "bellows.left"

@@ -131,7 +131,10 @@ void check_friction(const Case& data, CheckLog& log) {
     const std::string key = cap_key(cap.name) + ".friction";
     if (!cap.friction) continue;
     check_directions(key, *cap.friction, log);
-    if (!cap.stiffness && log.fine(cap_key(cap.name)))
+    if (!cap.ends.empty())
+      log.add(key, "is that of a cap whose ends hang on springs of their own",
+              "give friction to one of its `ends`");
+    else if (!cap.stiffness && log.fine(cap_key(cap.name)))
       log.add(key, "is that of a rigid connection, which cannot slip",
               "give the cap of: [first end, second end] and stiffness");
   }

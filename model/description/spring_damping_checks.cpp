@@ -39,7 +39,10 @@ void check_spring_damping(const Case& data, CheckLog& log) {
     const std::string key = cap_key(cap.name) + ".damping";
     if (!cap.damping) continue;
     check_law(*cap.damping, key, log);
-    if (!cap.stiffness && log.fine(cap_key(cap.name) + ".stiffness"))
+    if (!cap.ends.empty())
+      log.add(key, "is that of a cap whose ends hang on springs of their own",
+              "give damping to one of its `ends`");
+    else if (!cap.stiffness && log.fine(cap_key(cap.name) + ".stiffness"))
       log.add(key, "is that of the springs of a joint, and this cap is rigid", "give stiffness");
   }
   for (const Mount& mount : data.mount) {

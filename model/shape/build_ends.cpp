@@ -93,12 +93,14 @@ int arm_to(Building& b, const std::string& cap, int node, int end) {
 }
 
 // The node of a cap that the rigid ones of its ends follow: where it would lie if all did, unless
-// one of these has to lead.
+// one of these follows others and has to lead.
 int add_body(Building& b, const std::string& cap, const std::vector<int>& all,
              const std::vector<int>& rigid) {
-  if (leader_among(b, rigid)) return add_spider(b, cap, rigid);
-  const auto& mesh = b.built.model.mesh;
   const auto leader = leader_among(b, all);
+  if ((leader && std::find(rigid.begin(), rigid.end(), *leader) != rigid.end()) ||
+      !b.followers_among(rigid).empty())
+    return add_spider(b, cap, rigid);
+  const auto& mesh = b.built.model.mesh;
   const int node =
       add_node(b.built.model, leader ? mesh.nodes[std::size_t(*leader)] : centroid(mesh, all));
   if (!rigid.empty()) tie_spider(b, cap, node, rigid);

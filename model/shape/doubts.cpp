@@ -236,8 +236,13 @@ private:
   void caps() {
     for (const Cap& cap : case_.caps) heavy(cap_key(cap.name) + ".mass", cap.mass);
     const auto& sets = model_.mesh.sets;
+    const auto is_ground = [&](const Cap& cap) { // the feet of a frame
+      return std::any_of(case_.mount.begin(), case_.mount.end(), [&](const Mount& m) {
+        return m.cap == cap.name && m.kind == MountKind::rigid;
+      });
+    };
     for (const Cap& cap : case_.caps)
-      for (std::size_t i = 1; i < cap.of.size(); ++i) {
+      for (std::size_t i = 1; i < cap.of.size() && !is_ground(cap); ++i) {
         if (part_of_set(cap.of[i]) == part_of_set(cap.of[0]))
           continue; // the bolt holes of one flange
         const Box a = box_of(model_.mesh, sets.at(cap.of[0])),
@@ -245,7 +250,7 @@ private:
         const double apart = (a.center() - b.center()).norm();
         const double radius = std::max(a.sizes().maxCoeff(), b.sizes().maxCoeff()) / 2;
         if (apart > std::max(widest_joint * radius, one_place))
-          add("cap " + cap.name + " joins " + cap.of[0] + " and " + cap.of[i] + " rigidly, " +
+          add("cap " + cap.name + " joins " + cap.of[0] + " and " + cap.of[i] + ", " +
               short_text(1e3 * apart, 4) + " mm apart: is the part where it belongs?");
       }
   }

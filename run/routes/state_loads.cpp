@@ -106,13 +106,21 @@ private:
     }
   }
 
-  // Mean over the nodes, of what is conducted or given along the part.
+  // Mean over the nodes, of what is conducted or given along the part. What is no node of the wall,
+  // as a place on it, has no temperature of its own: then that of the wall.
   template <class Nodes> double temperature_of(const PartTemperature& t, const Nodes& nodes) const {
     const auto conducted = conducted_.find(t.part);
     if (conducted != conducted_.end()) {
-      double sum = 0;
-      for (int node : nodes) sum += conducted->second[node];
-      return sum / double(nodes.size());
+      double sum = 0, count = 0;
+      const auto add = [&](double temperature) {
+        if (!std::isfinite(temperature)) return;
+        sum += temperature;
+        ++count;
+      };
+      for (int node : nodes) add(conducted->second[node]);
+      if (count == 0)
+        for (double temperature : conducted->second) add(temperature);
+      return sum / count;
     }
     double y = 0;
     for (int node : nodes) y += model_.mesh.nodes[std::size_t(node)].y() / double(nodes.size());
@@ -163,7 +171,8 @@ private:
     }
   }
 
-  // A cap has the temperature of the first end it closes; across its springs, of the first end there.
+  // A cap has the temperature of the first end it closes; across its springs, of the first end
+  // there.
   void grow(const Cap& cap, StateLoads& loads) const {
     std::set<int> grown;
     const auto grow_as = [&](int node, const std::string& end) {
@@ -189,9 +198,12 @@ private:
     }
   }
 
-  // Area vector of the end about the node that it follows, out of the bellows.
+  // Area vector of the end about the node of its cap, which closes it, out of the bellows.
   void close_end(const std::string& set, double sign) {
-    const int node = built_.end_nodes.at(set);
+    const auto cap = std::find_if(data_.caps.begin(), data_.caps.end(), [&](const Cap& c) {
+      return std::find(c.of.begin(), c.of.end(), set) != c.of.end();
+    });
+    const int node = built_.cap_nodes.at(cap->name);
     const auto& x = model_.mesh.nodes;
     const std::vector<int>& circle = model_.mesh.sets.at(set);
     Vector3d area = Vector3d::Zero();

@@ -65,7 +65,7 @@ Cuffs cuffs_of(const Bellows& b) {
   return {length(b.profile.front()), length(b.profile.back()), b.root_radius};
 }
 
-// The part of shells alone: no liner, no masses of caps, nothing looked at.
+// The part of shells alone: no liner, no masses and springs of caps, nothing looked at.
 Case bare(const Case& data, const Part& bellows) {
   Case alone = for_headline(data);
   alone.parts = {bellows};
@@ -76,6 +76,7 @@ Case bare(const Case& data, const Part& bellows) {
   for (Cap& cap : alone.caps) {
     cap.mass = 0;
     cap.inertia = {};
+    cap.ends.clear();
   }
   return alone;
 }
