@@ -28,12 +28,19 @@ bool bears(JointDirection own, JointDirection motion) {
   return motion == JointDirection::all || motion == own;
 }
 
-Sextuple times_in(Sextuple k, JointDirection motion, double factor) {
+// Of the six springs of a cap.
+Sextuple factors_of(JointDirection motion, double factor) {
   constexpr std::array of_row{JointDirection::lateral, JointDirection::axial,
                               JointDirection::lateral, JointDirection::bending,
                               JointDirection::torsion, JointDirection::bending};
-  for (std::size_t i = 0; i < k.size(); ++i)
-    if (bears(of_row[i], motion)) k[i] *= factor;
+  Sextuple factors{};
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    factors[i] = bears(of_row[i], motion) ? factor : 1;
+  return factors;
+}
+
+Sextuple times(Sextuple k, const Sextuple& factors) {
+  for (std::size_t i = 0; i < k.size(); ++i) k[i] *= factors[i];
   return k;
 }
 
@@ -44,27 +51,26 @@ std::string entry_of(const SprungEnd& e) {
 // The springs of a cap at some of its places. None where they slip: stuck, they are more than
 // these.
 CaseEdits with_cap(const Cap& now, const std::vector<std::string>& places, const Sextuple& rigid,
-                   JointDirection motion, double factor) {
+                   const Sextuple& factors) {
   const auto is_meant = [&](const std::string& place) {
     return std::find(places.begin(), places.end(), place) != places.end();
   };
   const std::string key = cap_key(now.name);
   CaseEdits edits;
   if (is_meant(key) && !now.friction)
-    edits.push_back(
-        {key + ".stiffness", yaml_of(times_in(now.stiffness.value_or(rigid), motion, factor))});
+    edits.push_back({key + ".stiffness", yaml_of(times(now.stiffness.value_or(rigid), factors))});
   std::vector<std::string> all; // the ends on springs that they have now, and on new ones
   for (std::size_t i = 0; i < now.ends.size(); ++i) {
     const SprungEnd& e = now.ends[i];
     all.push_back(entry_of(e));
     if (is_meant(sprung_end_key(now.name, e.end)) && !e.friction)
-      edits.push_back({fmt::format("{}.ends[{}].stiffness", key, i),
-                       yaml_of(times_in(e.stiffness, motion, factor))});
+      edits.push_back(
+          {fmt::format("{}.ends[{}].stiffness", key, i), yaml_of(times(e.stiffness, factors))});
   }
   const std::size_t before = all.size();
   for (const std::string& end : now.of)
     if (is_meant(sprung_end_key(now.name, end)) && !hangs_on_springs(now, end))
-      all.push_back(entry_of({.end = end, .stiffness = times_in(rigid, motion, factor)}));
+      all.push_back(entry_of({.end = end, .stiffness = times(rigid, factors)}));
   if (all.size() > before && std::any_of(now.ends.begin(), now.ends.end(), [](const SprungEnd& e) {
         return e.friction || e.damping; // a list is written whole, and these have many keys
       }))
@@ -118,16 +124,21 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
   return edits;
 }
 
+CaseEdits with_caps(const Case& now, const std::vector<std::string>& places, const Sextuple& rigid,
+                    const Sextuple& factors) {
+  CaseEdits edits;
+  for (const Cap& cap : now.caps)
+    for (CaseEdit& edit : with_cap(cap, places, rigid, factors)) edits.push_back(std::move(edit));
+  return edits;
+}
+
 CaseEdits with_joints(const Case& now, const std::vector<std::string>& places,
                       const StandIn& stand_in, JointDirection motion, double factor) {
-  CaseEdits edits;
-  const auto take = [&](CaseEdits more) {
-    edits.insert(edits.end(), std::make_move_iterator(more.begin()),
-                 std::make_move_iterator(more.end()));
-  };
-  for (const Cap& cap : now.caps) take(with_cap(cap, places, stand_in.springs, motion, factor));
+  CaseEdits edits = with_caps(now, places, stand_in.springs, factors_of(motion, factor));
   for (const std::string& place : places)
-    if (!is_at_cap(place)) take(with_joint(now, place, stand_in, motion, factor));
+    if (!is_at_cap(place))
+      for (CaseEdit& edit : with_joint(now, place, stand_in, motion, factor))
+        edits.push_back(std::move(edit));
   return edits;
 }
 
@@ -142,6 +153,37 @@ StandIn stand_in_of(const Structure& s, const JointGroup& group,
         if (sprung_end_key(cap.name, e.end) == places.front()) found.springs = e.stiffness;
     }
   return found;
+}
+
+// A clamp that lets go in all directions, as by a bolt that is lost: what it has in turning is what
+// it has in a translation at a lever of a quarter of the structure, as their priors stand.
+Hypothesis let_go(const JointGroup& group, const std::vector<std::string>& places,
+                  const Sextuple& rigid,
+                  const std::vector<std::pair<JointDirection, JointSize>>& sizes) {
+  const JointSize& translation = sizes.front().second;
+  std::vector<ModelChange> changes;
+  Eigen::VectorXd present(Eigen::Index(sizes.size()));
+  for (const auto& [motion, size] : sizes) {
+    present[Eigen::Index(changes.size())] = 1 / size.share;
+    changes.push_back(added_group(group, motion, size.share));
+  }
+  return {.effect = "joint_stiffness",
+          .place = group.place,
+          .way = "all directions",
+          .parameters = {translation.parameter},
+          .changes = std::move(changes),
+          .coefficients =
+              [translation, present](const Eigen::VectorXd& v) {
+                return Eigen::VectorXd(translation.units(v[0]) - present.array());
+              },
+          .in_case =
+              [places, rigid, sizes](const Case& now, const Eigen::VectorXd& v) {
+                Sextuple factors{1, 1, 1, 1, 1, 1};
+                for (const auto& [motion, size] : sizes)
+                  factors = times(
+                      factors, factors_of(motion, size.share * sizes.front().second.units(v[0])));
+                return with_caps(now, places, rigid, factors);
+              }};
 }
 
 std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
@@ -169,10 +211,15 @@ std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
     if (!group.rigid)
       add(JointDirection::all,
           {.parameter = {"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 1}}});
-    for (const auto& [motion, k] : motions_of(s.built.model, group))
-      add(motion, joint_size(group, motion, k,
-                             group.present ? ratio_prior(s, k, motion)
-                                           : Prior{PriorKind::log_normal, 0.3, 1}));
+    std::vector<std::pair<JointDirection, JointSize>> sizes;
+    for (const auto& [motion, k] : motions_of(s.built.model, group)) {
+      sizes.emplace_back(motion, joint_size(group, motion, k,
+                                            group.present ? ratio_prior(s, k, motion)
+                                                          : Prior{PriorKind::log_normal, 0.3, 1}));
+      add(motion, sizes.back().second);
+    }
+    if (group.rigid && !sizes.empty())
+      found.push_back(let_go(group, places, stand_in.springs, sizes));
   };
   const std::vector<JointGroup> groups = joint_groups(s);
   for (const JointGroup& group : groups)
