@@ -1,6 +1,7 @@
 // Ends that hang on springs of their own at their cap.
 #include "model/description/steels.hpp"
 #include "run/routes/state_loads.hpp"
+#include "tests/bolted_plate.hpp"
 #include "tests/changed_beam.hpp"
 #include "tests/pipe_case.hpp"
 
@@ -95,38 +96,15 @@ TEST(SprungEnds, that_are_stiff_hold_as_a_rigid_cap_does) {
               8, 1e-4);
 }
 
-// A plate on bolts, which are places on its wall: one that is loose is as good as none.
+// One that is loose is as good as none.
 TEST(SprungEnds, of_a_bolt_that_is_loose_do_not_hold) {
-  const auto bolted = [](std::size_t bolts, std::vector<SprungEnd> ends) {
-    Case c;
-    c.name = "plate";
-    c.materials["steel"] = {.E = 210e9, .nu = 0.3, .rho = 7850};
-    Plate plate;
-    plate.material = "steel";
-    plate.corners = {Triple{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0, 0.2, 0}};
-    plate.thickness = 3e-3;
-    plate.elements = {12, 8};
-    plate.places = {{.name = "bolt1", .at = {0.021, 0.022, 0}},
-                    {.name = "bolt2", .at = {0.277, 0.018, 0}},
-                    {.name = "bolt3", .at = {0.279, 0.181, 0}},
-                    {.name = "bolt4", .at = {0.023, 0.177, 0}}};
-    c.parts.push_back({"plate", plate});
-    Cap table;
-    table.name = "table";
-    for (std::size_t i = 0; i < bolts; ++i)
-      table.of.push_back("plate.bolt" + std::to_string(i + 1));
-    table.ends = std::move(ends);
-    c.caps.push_back(table);
-    c.mount.push_back({.cap = "table"});
-    c.analyses.modes = Modes{.count = 6};
-    return c;
-  };
   constexpr Sextuple loose{1, 1, 1, 1e-3, 1e-3, 1e-3};
-  expect_same(bolted(3, {}), bolted(4, {{.end = "plate.bolt4", .stiffness = loose}}), 6, 1e-4);
+  expect_same(test::bolted_plate(3),
+              test::bolted_plate(4, {{.end = "plate.bolt4", .stiffness = loose}}), 6, 1e-4);
   std::vector<SprungEnd> tight;
   for (int i = 1; i <= 4; ++i)
     tight.push_back({.end = "plate.bolt" + std::to_string(i), .stiffness = rigid});
-  expect_same(bolted(4, {}), bolted(4, tight), 6, 1e-4);
+  expect_same(test::bolted_plate(4), test::bolted_plate(4, tight), 6, 1e-4);
 }
 
 TEST(SprungEnds, slip_and_damp_as_a_cap_does) {

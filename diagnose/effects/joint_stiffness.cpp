@@ -161,6 +161,10 @@ Hypothesis let_go(const JointGroup& group, const std::vector<std::string>& place
                   const Sextuple& rigid,
                   const std::vector<std::pair<JointDirection, JointSize>>& sizes) {
   const JointSize& translation = sizes.front().second;
+  // Down to nothing that the readings would feel, every power of ten alike.
+  EffectParameter stiffness = translation.parameter;
+  const double centre = stiffness.prior.centre;
+  stiffness.prior = {PriorKind::log_normal, centre, 20, 1e-4 * centre, 10 * centre};
   std::vector<ModelChange> changes;
   Eigen::VectorXd present(Eigen::Index(sizes.size()));
   for (const auto& [motion, size] : sizes) {
@@ -170,7 +174,7 @@ Hypothesis let_go(const JointGroup& group, const std::vector<std::string>& place
   return {.effect = "joint_stiffness",
           .place = group.place,
           .way = "all directions",
-          .parameters = {translation.parameter},
+          .parameters = {stiffness},
           .changes = std::move(changes),
           .coefficients =
               [translation, present](const Eigen::VectorXd& v) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace plica {
@@ -113,10 +114,22 @@ std::string plain_words(const NamedEffect& e) {
   return text;
 }
 
+namespace {
+
+// Where it is as likely to be elsewhere, and no length says how far.
+std::string elsewhere_words(const NamedEffect& e) {
+  const std::size_t others = e.other_places.size();
+  if (others == 0 || e.along || e.within || e.probability > 0.5 * e.anywhere) return "";
+  return others == 1 ? " or " + e.other_places.front()
+                     : fmt::format(" or one of {} other places", others);
+}
+
+} // namespace
+
 std::string plain_at_place(const NamedEffect& e) {
   const bool everywhere = e.place.empty() || e.place == "all";
-  return plain_words(e) + (everywhere ? "" : ", at " + e.place) + along_words(e) +
-         (e.way.empty() ? "" : " (" + e.way + ")");
+  return plain_words(e) + (everywhere ? "" : ", at " + e.place + elsewhere_words(e)) +
+         along_words(e) + (e.way.empty() ? "" : " (" + e.way + ")");
 }
 
 } // namespace plica

@@ -25,8 +25,9 @@ namespace {
 void check_sprung_ends(const Cap& cap, CheckLog& log) {
   const std::string key = cap_key(cap.name);
   if (cap.stiffness && !cap.ends.empty())
-    log.add(key + ".ends", "stand beside `stiffness`, the springs between the first end and all "
-                           "others",
+    log.add(key + ".ends",
+            "stand beside `stiffness`, the springs between the first end and all "
+            "others",
             "one of the two");
   std::set<std::string> sprung;
   for (std::size_t i = 0; i < cap.ends.size(); ++i) {
