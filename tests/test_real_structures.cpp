@@ -28,6 +28,30 @@ TEST(Baseline, finds_the_lap_of_a_free_beam_that_others_measured) {
   EXPECT_GT(d.gap.shrink(), 0.7);
 }
 
+// In three pieces that rigid clamps join it is still the middle one, and no clamp.
+TEST(Baseline, finds_the_lap_beside_rigid_clamps) {
+  Case pieces = read_case(cases_folder + "/lap_beam/lap_beam.yaml").data;
+  const Part whole = pieces.parts.at(0);
+  pieces.parts.clear();
+  for (const auto& [name, from, to] :
+       {std::tuple{"left", 0., 0.288}, {"lap", 0.288, 0.432}, {"right", 0.432, 0.72}}) {
+    Part piece = whole;
+    piece.name = name;
+    std::get<BeamPart>(piece.body).points = {{0, from, 0}, {0, to, 0}};
+    pieces.parts.push_back(piece);
+  }
+  Cap first, second;
+  first.name = "first";
+  first.of = {"left.end", "lap.start"};
+  second.name = "second";
+  second.of = {"lap.end", "right.start"};
+  pieces.caps = {first, second};
+  const Diagnosis d = diagnosis_of(pieces, read_measured(cases_folder + "/lap_beam/measured.yaml"));
+  ASSERT_FALSE(d.effects.empty()) << d.headline;
+  EXPECT_EQ(d.effects.front().name, "local_damage") << d.headline;
+  EXPECT_TRUE(d.effects.front().place.starts_with("lap")) << d.headline;
+}
+
 // The points of a beam say nothing of where it gave way: none near the lap, one in its middle, or
 // two within.
 TEST(BaselineSlow, finds_the_lap_whatever_the_points_of_the_beam) {
@@ -263,6 +287,62 @@ TEST(CrackedCantilever, cuts_are_listed_at_their_place_and_nothing_is_sure) {
     EXPECT_LE(place.interval[0], at) << cut;
     EXPECT_GE(place.interval[1], at) << cut;
   }
+}
+
+// Between which stress holds a cut of a share of the depth open, Nm/rad: an edge crack in bending,
+// H. Tada, P. Paris, G. Irwin, The Stress Analysis of Cracks Handbook, in plane stress and strain.
+std::array<double, 2> hinge_of_crack(double share) {
+  constexpr double E = 206e9, nu = 0.3, depth = 0.02, width = 0.02;
+  const double open = share / (1 - share);
+  const double S =
+      open * open * (5.93 + share * (-19.69 + share * (37.14 + share * (-35.84 + share * 13.12))));
+  const double stress = E * depth * depth * width / (24 * S);
+  return {stress, stress / (1 - nu * nu)};
+}
+
+// The same beam in four pieces that rigid clamps join, where it was cut and where not; joints alone
+// may have changed. The cuts are of one depth, and so are the hinges that they make.
+TEST(CrackedCantilever, cuts_are_rigid_clamps_that_give_way) {
+  const std::string folder = cases_folder + "/cracked_cantilever";
+  Case pieces = read_case(folder + "/cracked_cantilever.yaml").data;
+  const Part whole = pieces.parts.at(0);
+  const std::array<double, 5> ends{0, 0.08, 0.14, 0.2, 0.3};
+  pieces.parts.clear();
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    Part piece = whole;
+    piece.name = "piece" + std::to_string(i);
+    auto& beam = std::get<BeamPart>(piece.body);
+    beam.points = {{0, ends[i - 1], 0}, {0, ends[i], 0}};
+    beam.elements = 4;
+    pieces.parts.push_back(piece);
+  }
+  pieces.caps.at(0).of = {"piece1.start"};
+  for (const char* joint : {"at_80", "at_140", "at_200"}) {
+    Cap cap;
+    cap.name = joint;
+    const std::size_t i = pieces.caps.size();
+    cap.of = {"piece" + std::to_string(i) + ".end", "piece" + std::to_string(i + 1) + ".start"};
+    pieces.caps.push_back(cap);
+  }
+  pieces.diagnose.effects = {"joint_stiffness"};
+  const auto [stress, strain] = hinge_of_crack(0.3);
+  EXPECT_NEAR(stress, 149e3, 1e3);
+  double softest = 1e300, stiffest = 0;
+  for (const char* cut : {"80", "140", "200"}) {
+    const Diagnosis d =
+        diagnosis_of(pieces, read_measured(folder + "/cut_" + cut + "_6/measured.yaml"));
+    ASSERT_FALSE(d.effects.empty()) << cut << ": " << d.headline;
+    const NamedEffect& e = d.effects.front();
+    EXPECT_EQ(e.name, "joint_stiffness") << cut << ": " << d.headline;
+    EXPECT_EQ(e.place, std::string("caps.at_") + cut) << d.headline;
+    EXPECT_EQ(e.way, "bending") << cut << ": " << d.headline;
+    const EstimatedParameter& k = e.parameters.front();
+    EXPECT_LE(k.interval[0], strain) << cut;
+    EXPECT_GE(k.interval[1], stress) << cut;
+    softest = std::min(softest, k.value);
+    stiffest = std::max(stiffest, k.value);
+  }
+  EXPECT_LT(stiffest / softest, 1.15);
 }
 
 // Of 2 mm they lie within what mounting anew may do.
