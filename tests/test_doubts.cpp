@@ -158,7 +158,12 @@ TEST(Doubts, name_what_is_joined_across_a_distance_and_what_is_not_joined) {
                "nothing)");
   expect_doubt(with(plate_case, "supports",
                     second + "caps: {joint: {of: [web.edge2, far.edge4]}}\nsupports"),
-               "cap joint joins web.edge2 and far.edge4 rigidly");
+               "cap joint joins web.edge2 and far.edge4, ");
+  EXPECT_TRUE(doubts_of(with(plate_case, "supports",
+                             second + "caps: {table: {of: [web.edge2, far.edge4]}}\nmount: "
+                                      "{table: rigid}\nsupports"))
+                  .empty())
+      << "feet on one table";
 }
 
 } // namespace
