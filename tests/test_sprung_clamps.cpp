@@ -277,24 +277,39 @@ TEST(SprungClamps, at_a_mount_are_followed_end_by_end) {
             1e-3);
   std::map<std::string, int> followed;
   for (const Hypothesis& h : joint_stiffness().hypotheses(s)) {
-    if (!h.place.starts_with("caps.joint.") || h.way != "bending") continue;
-    const CaseEdits edits = h.in_case(nominal, Eigen::VectorXd::Constant(1, loose));
+    const bool lets_go = h.way == "all directions";
+    if (!h.place.starts_with("caps.joint.") || !(lets_go || h.way == "bending")) continue;
+    const double lever = lever_of(s), translation = loose / (lever * lever);
+    const Eigen::VectorXd value = Eigen::VectorXd::Constant(1, lets_go ? translation : loose);
+    const CaseEdits edits = h.in_case(nominal, value);
     ASSERT_EQ(edits.size(), 1U);
     EXPECT_EQ(edits[0].path, "caps.joint.ends");
     Sextuple springs{1e11, 1e11, 1e11, loose, 1e11, loose};
+    if (lets_go) springs = {translation, translation, translation, loose, loose, loose};
     Case truth = nominal;
     truth.caps.back().ends = {
         {.end = h.place.substr(std::string("caps.joint.").size()), .stiffness = springs}};
     EXPECT_EQ(edits[0].value.find("[{end: '" + truth.caps.back().ends[0].end + "'"), 0U);
-    const Eigen::VectorXd whole = read_by(truth, m), own = *Predictor(model, readings, {&h})(
-                                                         Eigen::VectorXd::Constant(1, loose));
+    const Eigen::VectorXd whole = read_by(truth, m), own = *Predictor(model, readings, {&h})(value);
     if (h.place == "caps.joint.beam2.start")
       EXPECT_GT((as_drawn - whole).maxCoeff(), 0.02) << "it is seen";
     for (Eigen::Index i = 0; i < whole.size(); ++i)
       EXPECT_NEAR(own[i], whole[i], 1e-3) << h.place << " " << i;
+    if (lets_go) {
+      Sextuple told{};
+      const std::string text = edits[0].value.substr(edits[0].value.rfind('[') + 1);
+      std::size_t at = 0;
+      for (double& number : told) {
+        number = std::stod(text.substr(at));
+        at = text.find(',', at) + 1;
+      }
+      // The priors stand as near to ten times what is beside as that is small beside rigid.
+      for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(told[i] / springs[i], 1, 1e-3) << i;
+    }
     ++followed[h.place];
   }
-  EXPECT_EQ(followed.size(), 2U);
+  EXPECT_EQ(followed, (std::map<std::string, int>{{"caps.joint.beam.end", 2},
+                                                  {"caps.joint.beam2.start", 2}}));
 }
 
 // The interlock ends in the caps of its bellows and is a joint itself; a clamp between pipe and

@@ -178,6 +178,24 @@ void end_at_millimetres(std::array<double, 2>& ends, const Prior& path) {
   ends[1] = std::min(path.width, step * std::ceil(ends[1] / step));
 }
 
+// Whether a number of one prior stands in the other where it has as many standard deviations.
+bool are_alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double times = 5;
+  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                    b.parameters.end(), [](const EffectParameter& one, const EffectParameter& two) {
+                      const auto [least, most] = std::minmax(one.prior.width, two.prior.width);
+                      return one.prior.kind == two.prior.kind && most <= times * least;
+                    });
+}
+
+// Of a prior that reaches down to nothing the ends that lie there.
+void end_at_nothing(std::array<double, 2>& ends, const Prior& prior) {
+  constexpr double nothing = 1e-5; // of the centre
+  if (prior.kind == PriorKind::log_normal && prior.low > 0 && prior.low < nothing * prior.centre &&
+      ends[0] < nothing * prior.centre)
+    ends[0] = 0;
+}
+
 } // namespace
 
 NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, double probability,
@@ -192,7 +210,7 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   if (fit.together.size() == 1)
     for (const JudgedFit& j : fits)
       if (const Hypothesis& other = *j.fit.together[0];
-          other.effect == h.effect &&
+          other.effect == h.effect && are_alike(other, h) &&
           (other.place == h.place ? other.way != h.way : are_spots_of_one_part(other, h)))
         ways.push_back(&j.fit);
   const Index first = fit.first_of(member);
@@ -206,6 +224,7 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
       between.ends = {std::min(between.ends[0], value), std::max(between.ends[1], value)};
       end_at_millimetres(between.ends, h.parameters[i].prior);
     }
+    end_at_nothing(between.ends, h.parameters[i].prior);
     const bool within = value >= between.ends[0] && value <= between.ends[1];
     e.parameters.push_back({.name = h.parameters[i].name,
                             .unit = h.parameters[i].unit,

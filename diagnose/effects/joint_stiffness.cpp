@@ -127,8 +127,14 @@ CaseEdits with_joint(const Case& now, const std::string& place, const StandIn& s
 CaseEdits with_caps(const Case& now, const std::vector<std::string>& places, const Sextuple& rigid,
                     const Sextuple& factors) {
   CaseEdits edits;
-  for (const Cap& cap : now.caps)
-    for (CaseEdit& edit : with_cap(cap, places, rigid, factors)) edits.push_back(std::move(edit));
+  for (const Cap& cap : now.caps) {
+    CaseEdits own = with_cap(cap, places, rigid, factors);
+    const bool is_meant = std::any_of(places.begin(), places.end(), [&](const std::string& place) {
+      return place == cap_key(cap.name) || place.starts_with(cap_key(cap.name) + ".");
+    });
+    if (is_meant && own.empty()) return {}; // all that is meant or nothing
+    for (CaseEdit& edit : own) edits.push_back(std::move(edit));
+  }
   return edits;
 }
 
@@ -164,7 +170,7 @@ Hypothesis let_go(const JointGroup& group, const std::vector<std::string>& place
   // Down to nothing that the readings would feel, every power of ten alike.
   EffectParameter stiffness = translation.parameter;
   const double centre = stiffness.prior.centre;
-  stiffness.prior = {PriorKind::log_normal, centre, 20, 1e-4 * centre, 10 * centre};
+  stiffness.prior = {PriorKind::log_normal, centre, 20, 1e-6 * centre, 10 * centre};
   std::vector<ModelChange> changes;
   Eigen::VectorXd present(Eigen::Index(sizes.size()));
   for (const auto& [motion, size] : sizes) {
@@ -211,7 +217,8 @@ std::vector<Hypothesis> joint_stiffness_hypotheses(const Structure& s) {
                  return with_joints(now, places, stand_in, motion, size.share * size.units(v[0]));
                }});
     };
-    // What a rigid clamp has in one motion in terms of another nobody knows: no factor of all.
+    // What a rigid clamp has in one motion in terms of another nobody knows: no factor of all, but
+    // it may let go (let_go).
     if (!group.rigid)
       add(JointDirection::all,
           {.parameter = {"ratio", "", {PriorKind::log_normal, group.present ? 1 : 0.3, 1}}});

@@ -114,7 +114,9 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
       (j.fit.chi2 > standards.sure_chi2 || j.chi2_of_means > standards.sure_chi2_of_means);
   j.absurd = j.fit.farthest > threshold::absurd_z;
   j.free_parameters = free_parameters(j.fit);
-  j.stays_at_priors = stays_at_priors(j.fit);
+  // What is there at all may say much, whatever its size: a bolt that is lost.
+  constexpr double says_much = 0.5; // of the gap is left
+  j.stays_at_priors = stays_at_priors(j.fit) && std::pow(j.gap_after / before, 2) > says_much;
   std::tie(j.readings, j.moved) = fitted_and_moved(j.fit, context);
   if (!held_out.rows().empty() && j.adequate) complete(context, j.fit);
   if (!held_out.rows().empty() && j.fit.complete) {

@@ -1,6 +1,7 @@
 #include "io/tables/effect_words.hpp"
 
 #include "diagnose/effects/effect.hpp"
+#include "model/description/place_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -118,10 +119,14 @@ namespace {
 
 // Where it is as likely to be elsewhere, and no length says how far.
 std::string elsewhere_words(const NamedEffect& e) {
-  const std::size_t others = e.other_places.size();
-  if (others == 0 || e.along || e.within || e.probability > 0.5 * e.anywhere) return "";
-  return others == 1 ? " or " + e.other_places.front()
-                     : fmt::format(" or one of {} other places", others);
+  if (e.along || e.within || of_parameter(e, "at") || e.probability > 0.5 * e.anywhere) return "";
+  std::vector<std::string> others = e.other_places;
+  std::erase_if(others, [](const std::string& place) { // all of a kind at once
+    return place == "clamps" || place == "joints" || place == all_mounts;
+  });
+  if (others.empty()) return "";
+  return others.size() == 1 ? " or " + others.front()
+                            : fmt::format(" or one of {} other places", others.size());
 }
 
 } // namespace

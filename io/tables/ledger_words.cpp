@@ -30,16 +30,23 @@ const char* words_of(Remainder left) {
   return "not explained";
 }
 
+// Without the other places, which stand in its row.
+NamedEffect alone(NamedEffect e) {
+  e.other_places.clear();
+  return e;
+}
+
 // A row with its effects as `words` says them.
 std::string row_by(const LedgerRow& row, std::string (*words)(const NamedEffect& e)) {
   if (row.left) return words_of(*row.left);
-  const std::string first = words(row.effects.front());
-  if (row.effects.size() == 1) return first;
+  if (row.effects.size() == 1) return words(row.effects.front());
   if (is_long(row))
-    return first + fmt::format("; or one of {} others that the test does not tell from it",
-                               row.effects.size() - 1);
+    return words(alone(row.effects.front())) +
+           fmt::format("; or one of {} others that the test does not tell from it",
+                       row.effects.size() - 1);
   std::string text;
-  for (const NamedEffect& e : row.effects) text += (text.empty() ? "one of: " : "; or ") + words(e);
+  for (const NamedEffect& e : row.effects)
+    text += (text.empty() ? "one of: " : "; or ") + words(alone(e));
   return text;
 }
 
