@@ -178,11 +178,13 @@ void end_at_millimetres(std::array<double, 2>& ends, const Prior& path) {
   ends[1] = std::min(path.width, step * std::ceil(ends[1] / step));
 }
 
-// Whether a number of one prior stands in the other where it has as many standard deviations.
+// Whether a number of one prior stands in the other where it has as many standard deviations; of
+// the parameters that both have.
 bool are_alike(const Hypothesis& a, const Hypothesis& b) {
   constexpr double times = 5;
-  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
-                    b.parameters.end(), [](const EffectParameter& one, const EffectParameter& two) {
+  const auto both = std::ptrdiff_t(std::min(a.parameters.size(), b.parameters.size()));
+  return std::equal(a.parameters.begin(), a.parameters.begin() + both, b.parameters.begin(),
+                    [](const EffectParameter& one, const EffectParameter& two) {
                       const auto [least, most] = std::minmax(one.prior.width, two.prior.width);
                       return one.prior.kind == two.prior.kind && most <= times * least;
                     });
@@ -217,6 +219,7 @@ NamedEffect NamedEffects::named(const HypothesisFit& fit, std::size_t member, do
   const VectorXd likely = likely_values(fit, member);
   for (std::size_t i = 0; i < h.parameters.size(); ++i) {
     const Index row = first + Index(i);
+    std::erase_if(ways, [&](const HypothesisFit* way) { return way->z.size() <= row; });
     Interval between = interval_of(ways, row, h.parameters[i].prior);
     const double value = likely[Index(i)];
     if (std::find(h.along.begin(), h.along.end(), i) != h.along.end()) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fmt/ranges.h>
-#include <iterator>
 
 namespace plica {
 namespace {
