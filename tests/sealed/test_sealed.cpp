@@ -1,10 +1,14 @@
 // The sealed suite's own solvers against closed forms and against each other.
+#include "changes/changes.hpp"
 #include "changes/line_model.hpp"
 #include "changes/line_structures.hpp"
 #include "response.hpp"
 #include "specimen.hpp"
+#include "tests/support/temporary_folder.hpp"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 
@@ -216,4 +220,81 @@ TEST(SealedChanges, mechanisms_and_changes_begin_at_nothing) {
           << structure->name() << ", " << change.effect.name << " at " << change.effect.place;
     }
   }
+}
+
+namespace {
+
+using nlohmann::json;
+
+// What the scorer says of one diagnosis of a structure in which `effect` is the change.
+json marks_of(const std::string& structure, const json& effect, const json& position,
+              const json& said) {
+  const plica::test::TemporaryFolder folder("marks");
+  const std::filesystem::path truth = folder.path / "truth", out = folder.path / "out";
+  std::filesystem::create_directories(truth);
+  std::filesystem::create_directories(out / "1");
+  std::ofstream(truth / "1.json") << json{{"id", "1"},
+                                          {"kind", "effect"},
+                                          {"class", effect["name"]},
+                                          {"structure", structure},
+                                          {"mechanism", "theory"},
+                                          {"strength", ""},
+                                          {"detectable", true},
+                                          {"ratio", 3},
+                                          {"position", position},
+                                          {"effects", json::array({effect})}};
+  std::ofstream(out / "1" / "diagnosis.json")
+      << json{{"verdict", "identified"}, {"effects", json::array({said})}};
+  EXPECT_TRUE(score_changes(truth, out));
+  json score;
+  std::ifstream(out / "score.json") >> score;
+  return score["specimens"][0];
+}
+
+} // namespace
+
+// A mass on the plate is right where its interval, or 5 % of the plate, holds it or its mirror
+// image across the middle line.
+TEST(SealedChanges, a_mass_on_the_plate_is_marked_by_its_place) {
+  const json truth{{"name", "added_mass"},
+                   {"place", "plate"},
+                   {"value", {{"mass", 0.02}, {"at", 0.2}, {"across", 0.03}}}};
+  const auto is_right = [&](double at, double across, double within) {
+    const json marks = marks_of("plate", truth, {0.2, 0.03},
+                                {{"name", "added_mass"},
+                                 {"place", "plate"},
+                                 {"value", {{"mass", 0.02}, {"at", at}, {"across", across}}},
+                                 {"interval",
+                                  {{"mass", {0.01, 0.03}},
+                                   {"at", {at - within, at + within}},
+                                   {"across", {across - within, across + within}}}}});
+    EXPECT_EQ(marks["wrong"], !marks["best_right"]);
+    return bool(marks["best_right"]);
+  };
+  EXPECT_TRUE(is_right(0.2, 0.03, 1e-3));
+  EXPECT_FALSE(is_right(0.2, 0.07, 1e-3));
+  EXPECT_TRUE(is_right(0.2, 0.07, 0.05)) << "within its interval";
+  EXPECT_FALSE(is_right(0.05, 0.03, 1e-3));
+  double width = 0;
+  for (const auto& structure : changed_structures())
+    if (structure->name() == "plate") width = structure->mirrored({0, 0})[1];
+  EXPECT_TRUE(is_right(0.2, width - 0.03, 1e-3)) << "its mirror image";
+}
+
+// In the frame a heavier floor answers as a softer storey does; a sensor that is turned there does
+// not.
+TEST(SealedChanges, what_answers_alike_in_the_frame_is_a_mass_or_a_storey) {
+  const json storey{
+      {"name", "local_damage"}, {"place", "legs.stretch[4]"}, {"value", {{"loss", 0.2}}}};
+  const auto is_right = [&](const char* name, const char* place) {
+    return bool(
+        marks_of("frame", storey, json::array(), {{"name", name}, {"place", place}})["best_right"]);
+  };
+  EXPECT_TRUE(is_right("local_damage", "legs.stretch[4]"));
+  EXPECT_FALSE(is_right("local_damage", "legs.stretch[3]"));
+  EXPECT_TRUE(is_right("component_mass", "floor1"));
+  EXPECT_TRUE(is_right("added_mass", "sensor.floor1"));
+  EXPECT_FALSE(is_right("component_mass", "floor2"));
+  EXPECT_FALSE(is_right("rotated_sensor", "sensor.floor1"));
+  EXPECT_FALSE(is_right("sensor_gain", "sensor.floor1"));
 }

@@ -1,5 +1,5 @@
-// The suite "changes": structures whose model errs by 1 to 4 % in every mode, measured before and
-// after one change, or after none; made, and scored.
+// The suite "changes": structures whose model errs by 1 to 4 % (root mean square over the modes),
+// measured before and after one change, or after none; made, and scored.
 #pragma once
 
 #include <cstdint>

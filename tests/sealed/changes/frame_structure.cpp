@@ -20,6 +20,7 @@ public:
              const std::string& other_place) const override {
     const auto storey_of = [](const std::string& name, const std::string& at) {
       if (name == "local_damage") return number_in(at, "legs.stretch");
+      if (name != "added_mass" && name != "component_mass") return 0;
       if (!at.starts_with("floor") && !at.starts_with("sensor.floor")) return 0;
       return 5 - (at.back() - '0');
     };

@@ -123,6 +123,7 @@ public:
   }
   bool alike(const std::string& effect, const std::string& place, const std::string& other_effect,
              const std::string& other_place) const override { // the middle line divides it evenly
+    if (place == "plate") return false;                       // its point says where
     const auto side = [](const std::string& at) {
       for (const auto* pair : {"p1p2", "p4p6"})
         if (const auto k = std::string(pair).find(at.substr(at.find('.') + 1));

@@ -74,11 +74,13 @@ private:
     return holds(p) || holds(structure_->mirrored(p));
   }
   bool place_is_right(const json& said) const {
-    if (said.value("place", "") == truth_["effects"][0]["place"] && !has_interval_of_place(said))
+    const json& truth = truth_["effects"][0];
+    const bool anywhere = truth["value"].contains("at"); // its point says where, not the part
+    if (!anywhere && said.value("place", "") == truth["place"] && !has_interval_of_place(said))
       return true;
     if (truth_["position"].empty()) return false;
     for (const json& other : said.value("other_places", json::array()))
-      if (other == truth_["effects"][0]["place"]) return true;
+      if (!anywhere && other == truth["place"]) return true;
     if (has_interval_of_place(said) && place_in_interval(said)) return true;
     std::vector<double> own = structure_->point(said.value("place", ""));
     for (std::size_t i = 0; i < own.size(); ++i)
@@ -235,7 +237,7 @@ bool score_changes(const std::filesystem::path& truth, const std::filesystem::pa
       "all specimens", true);
   print_shares(
       score, {"confident and wrong", 0, 1}, all, [](const Marked& m) { return m.confident; },
-      [](const Marked& m) { return m.wrong; }, "confident answers", false);
+      [](const Marked& m) { return m.wrong; }, "confident answers", true);
   print_shares(
       score, {"best guess right", 0.9, 1}, all, changed, [](const Marked& m) { return m.best; },
       "changed", true);
@@ -249,11 +251,11 @@ bool score_changes(const std::filesystem::path& truth, const std::filesystem::pa
   print_shares(
       score, {"90 % intervals hold the size", 0.85, 0.95}, all,
       [](const Marked& m) { return m.size.has_value(); }, [](const Marked& m) { return *m.size; },
-      "named rightly", false);
+      "named rightly", true);
   print_shares(
       score, {"place within its interval", 0.9, 1}, all,
       [](const Marked& m) { return m.place.has_value(); }, [](const Marked& m) { return *m.place; },
-      "named rightly", false);
+      "named rightly", true);
   std::ofstream(out / "score.json") << score.dump(1) << '\n';
   return whole;
 }
