@@ -7,6 +7,7 @@
 #include "diagnose/judge/added_up.hpp"
 #include "diagnose/judge/inclusion.hpp"
 #include "diagnose/judge/judge.hpp"
+#include "diagnose/judge/matched_gain.hpp"
 #include "diagnose/judge/places_fitted.hpp"
 #include "diagnose/judge/sets.hpp"
 #include "diagnose/judge/thresholds.hpp"

@@ -285,9 +285,9 @@ TEST(Baseline, several_of_them_say_how_much_mounting_anew_scatters) {
     m.modes.push_back(bending(Axis::z, 1, m.states[m.modes.size()].name, f));
   m.modes.push_back(bending(Axis::z, 1, "after", 97));
   const TestReadings test = readings_of({.data = m, .responses = {}});
-  // Four measurements of 0.4 % and what three values scatter, two degrees of freedom.
+  // Four measurements of 0.45 % and what three values scatter, two degrees of freedom.
   const double mean = (std::log(100.) + std::log(102.) + std::log(98.)) / 3;
-  double sum = 4 * 0.004 * 0.004;
+  double sum = 4 * 0.0045 * 0.0045;
   for (double f : {100., 102., 98.}) sum += std::pow(std::log(f) - mean, 2);
   EXPECT_NEAR(remounting_of(test, m, {}).frequency, std::sqrt(sum / 6), 1e-12);
   DiagnosisRequest stated;

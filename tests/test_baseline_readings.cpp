@@ -3,11 +3,13 @@
 #include "diagnose/weigh/baseline.hpp"
 #include "tests/changed_beam.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -210,6 +212,55 @@ TEST(Correlation, of_the_model_error_is_what_a_baseline_tells_of_it) {
     EXPECT_LT(sigma[0][i], 0.01) << i;
     EXPECT_GT(sigma[2][i], 0.02) << i;
   }
+}
+
+// What mesh and reduction miss of a mode, of a static stiffness or of a component of a shape they
+// miss before and after; what is read of one mode says nothing of another's.
+TEST(NumericError, of_one_thing_is_the_same_in_every_state) {
+  Measured m = before_and_after(with_masses(), with_a_heavier_one()); // five modes, the five again
+  for (const char* state : {"before", "after"}) {
+    MeasuredStatic& k = m.statics.emplace_back();
+    k.direction = StaticDirection::transverse_z;
+    k.value = 1e5;
+    k.state = state;
+  }
+  m.sensors = {{.name = "h1", .at = {0, 0.2, 0}}, {.name = "h2", .at = {0, 0.35, 0}}};
+  for (MeasuredMode& mode : m.modes) {
+    const std::string axis = mode.direction == Axis::x ? ".x" : ".z";
+    mode.vector.emplace().channels = {"h1" + axis, "h2" + axis};
+    mode.vector->real = {1, 0.4};
+  }
+  const Case nominal = with_masses();
+  const TestReadings test = readings_of({.data = m, .responses = {}});
+  const Uncertainty u = uncertainty_of(nominal, nominal_of(nominal, m), test, m, {});
+  // Of each reading what it is of, whatever the state.
+  const auto thing = [](const Reading& r) {
+    std::string entry = r.entry;
+    if (entry.starts_with("modes["))
+      entry = "mode " + std::to_string(std::stoul(entry.substr(6)) % 5);
+    else if (entry.starts_with("static"))
+      entry = "static";
+    return entry + ", " + std::to_string(int(r.kind)) + ", " + std::to_string(r.channel);
+  };
+  std::map<ReadingKind, int> twice;
+  for (std::size_t i = 0; i < test.readings.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Reading &a = test.readings[i], &b = test.readings[j];
+      const double shared = u.numeric(Index(i), Index(j)), own = u.numeric(Index(i), Index(i));
+      EXPECT_GT(own, 0) << a.name;
+      if (thing(a) == thing(b)) {
+        ++twice[a.kind];
+        EXPECT_NE(a.state, b.state);
+        EXPECT_NEAR(shared, own, 1e-12) << a.name << ", " << b.name;
+      } else {
+        EXPECT_EQ(shared, 0) << a.name << ", " << b.name;
+      }
+    }
+  EXPECT_EQ(twice[ReadingKind::frequency], 5);
+  EXPECT_EQ(twice[ReadingKind::stiffness], 1);
+  EXPECT_GE(twice[ReadingKind::component], 5);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(u.numeric);
+  EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-12) << "a covariance";
 }
 
 // Fault 6: a level beside a mode that nothing says the excitation of was dropped without a word.

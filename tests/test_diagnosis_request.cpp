@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <map>
 
 namespace plica {
 namespace {
@@ -37,6 +39,53 @@ TEST(ChosenEffects, are_those_that_the_case_lets_in) {
   EXPECT_GE(value_of(chosen.hypotheses[0].parameters[0].prior, -5), 0.01);
   EXPECT_LE(value_of(chosen.hypotheses[0].parameters[0].prior, 5), 0.02);
   EXPECT_EQ(chosen.words.size(), 4U);
+}
+
+// Twice as wide a prior reaches twice as far in its logarithm; what lies evenly between two bounds,
+// of itself or of its logarithm, is refused: it would change nothing.
+TEST(ChosenEffects, have_priors_as_wide_as_the_case_says) {
+  Case data = held_beam();
+  data.diagnose.effects = {"damping", "extra_support"};
+  const Measured none;
+  const auto ratio_at = [&](double z) {
+    for (const Hypothesis& h : chosen_effects(nominal_of(data, none).structure(none)).hypotheses)
+      if (h.effect == "damping") return value_of(h.parameters[0].prior, z);
+    return 0.;
+  };
+  const double middle = ratio_at(0), before = ratio_at(1);
+  const auto ask = [&](const std::string& effect, const std::string& parameter) {
+    data.diagnose.priors = {
+        {.effect = effect, .parameter = parameter, .between = {}, .widening = 2}};
+  };
+  ask("damping", "ratio");
+  EXPECT_NEAR(ratio_at(1) / middle, std::pow(before / middle, 2), 1e-9);
+  EXPECT_NEAR(ratio_at(0), middle, 1e-12);
+  ask("extra_support", "k");
+  EXPECT_EQ(problem_of(data), "diagnose.priors[0].widening: k lies evenly between two bounds");
+  ask("extra_support", "at");
+  EXPECT_EQ(problem_of(data), "diagnose.priors[0].widening: at lies evenly between two bounds");
+}
+
+// Springs of a rigid clamp have a prior that may be wider in each motion; that a clamp lets go of
+// all lies evenly between bounds, and stays as it is.
+TEST(ChosenEffects, are_widened_where_they_can_be) {
+  Case data = changed_beam::two_halves({});
+  data.diagnose.effects = {"joint_stiffness"};
+  const Measured none;
+  const auto reach = [&] {
+    std::map<std::string, double> found;
+    for (const Hypothesis& h : chosen_effects(nominal_of(data, none).structure(none)).hypotheses)
+      if (h.place == "caps.joint") found[h.way] = value_of(h.parameters[0].prior, 1);
+    return found;
+  };
+  const auto before = reach();
+  data.diagnose.priors = {
+      {.effect = "joint_stiffness", .parameter = "stiffness", .between = {}, .widening = 2}};
+  const auto after = reach();
+  ASSERT_TRUE(before.contains("bending") && before.contains("all directions"));
+  EXPECT_GT(after.at("bending"), 1.5 * before.at("bending"));
+  EXPECT_NEAR(after.at("all directions"), before.at("all directions"),
+              1e-9 * before.at("all directions"));
 }
 
 TEST(ChosenEffects, refuse_what_is_none) {

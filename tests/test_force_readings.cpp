@@ -2,7 +2,7 @@
 #include "diagnose/diagnose.hpp"
 #include "diagnose/predict/predictor.hpp"
 #include "diagnose/readings/readings.hpp"
-#include "diagnose/weigh/baseline.hpp"
+#include "diagnose/readings/same_thing.hpp"
 #include "io/input/case_file.hpp"
 #include "io/input/measured_file.hpp"
 

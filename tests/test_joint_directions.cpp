@@ -1,6 +1,7 @@
 // Joints that give way in one direction, drawn with whatever large number stands for rigid.
 #include "diagnose/effects/chosen_effects.hpp"
 #include "diagnose/effects/joint_groups.hpp"
+#include "tests/bellows_case.hpp"
 #include "tests/changed_beam.hpp"
 
 #include <gtest/gtest.h>
@@ -250,6 +251,58 @@ TEST(JointDirections, of_springs_in_a_row_add_their_compliance) {
   EXPECT_NEAR(stiffness_in(model, group, JointDirection::lateral), 10, 1e-12);
   model.bushings[0].bushing.law(0, 1) = model.bushings[0].bushing.law(1, 0) = 1;
   EXPECT_EQ(stiffness_in(model, group, JointDirection::axial), 0);
+}
+
+// Bellows A with an interlock along it.
+Case with_interlock(double EA, double EI) {
+  Case c = test::verification_case("bellows_a", {.around = 16, .arc = 2, .wall = 2});
+  c.parts.push_back({"interlock", Interlock{.along = "bellows",
+                                            .attachment = Attachment::synchronous,
+                                            .EA = EA,
+                                            .EI = EI,
+                                            .mass = 0.02,
+                                            .radius = 0.02}});
+  return c;
+}
+
+Measured bent_and_stretched(const Case& truth) {
+  Measured m;
+  m.specimen = "bellows";
+  for (Axis axis : {Axis::x, Axis::z})
+    for (int order = 1; order <= 3; ++order) m.modes.push_back(bending(axis, order, ""));
+  for (int order = 1; order <= 2; ++order) {
+    m.modes.push_back(bending(Axis::y, order, ""));
+    m.modes.back().shape = MeasuredShape::axial;
+  }
+  take_readings(m, read_by(truth, m));
+  for (MeasuredMode& mode : m.modes) mode.sigma = 2e-3 * mode.frequency;
+  return m;
+}
+
+// Coils that hook into each other resist bending and hardly stretching. Where the case gives them a
+// mass alone, as that of A2 does, they bend stiffly; where it gives them a tube, they stretch
+// softly. Those that do not resist at all are far out of the prior, as the case says it or not.
+TEST(JointDirectionsSlow, an_interlock_that_bends_and_does_not_stretch_is_found_as_that) {
+  constexpr double EI = 0.8, EA = 3e3; // of the bellows 1.54 N m2 and 3250 N
+  const auto expect_interlock = [](const Diagnosis& d, const char* way) {
+    ASSERT_FALSE(d.effects.empty()) << d.headline;
+    const NamedEffect& e = d.effects.front();
+    EXPECT_EQ(e.name, "joint_stiffness") << d.headline;
+    EXPECT_EQ(e.place, "interlock") << d.headline;
+    EXPECT_EQ(e.way, way) << d.headline;
+  };
+  expect_interlock(diagnosis_of(with_interlock(0, 0), bent_and_stretched(with_interlock(0, EI))),
+                   "bending");
+  Case tube = with_interlock(EA, EI);
+  expect_interlock(diagnosis_of(tube, bent_and_stretched(with_interlock(0.15 * EA, EI))), "axial");
+  const Measured loose = bent_and_stretched(with_interlock(0, EI));
+  const Diagnosis far = diagnosis_of(tube, loose);
+  EXPECT_NE(far.headline.find("nearest comes joint_stiffness at interlock (axial)"),
+            std::string::npos)
+      << far.headline;
+  tube.diagnose.priors = {
+      {.effect = "joint_stiffness", .parameter = "ratio", .between = {}, .widening = 4}};
+  expect_interlock(diagnosis_of(tube, loose), "axial");
 }
 
 } // namespace

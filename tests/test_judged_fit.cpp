@@ -130,6 +130,24 @@ TEST(JudgedFit, a_place_without_a_cause_gives_way_to_a_cause_there_that_closes_h
   EXPECT_EQ(remain("bellows.spot[0][0][0]", 3, false), 1u);
 }
 
+// Counted is what the readings know better than half of what was known, or that moves one of them
+// by a tenth of its error: not a support so stiff that more of it changes nothing.
+TEST(JudgedFit, counts_the_parameters_that_readings_move) {
+  test::Gains gains(8);
+  gains.add("told", "here", gains.along(0, 3));
+  gains.add("told little", "here", gains.along(1, 0.2));
+  gains.add("in its rigid limit", "here", gains.along(2, 0.05));
+  gains.measure(gains.along(0, 3));
+  const std::vector<JudgedFit> fits =
+      gains.searched({}, [](const SetSearch& search) { return search.fits; });
+  ASSERT_EQ(fits.size(), 3U);
+  EXPECT_EQ(fits[0].free_parameters, 1);
+  EXPECT_LT(fits[0].fit.covariance(0, 0), 0.5 * 0.5);
+  EXPECT_EQ(fits[1].free_parameters, 1);
+  EXPECT_GT(fits[1].fit.covariance(0, 0), 0.5 * 0.5) << "it moves a reading all the same";
+  EXPECT_EQ(fits[2].free_parameters, 0);
+}
+
 // What no reading speaks of keeps its number, and is no explanation.
 TEST(JudgedFit, stays_at_its_priors_where_nothing_is_known_of_it) {
   test::Gains gains(8);

@@ -340,10 +340,11 @@ TEST(CrackedCantilever, cuts_are_rigid_clamps_that_give_way) {
     const EstimatedParameter& k = e.parameters.front();
     EXPECT_LE(k.interval[0], stress) << cut;
     EXPECT_GE(k.interval[1], strain) << cut;
-    if (e.place == "caps.at_140") // of two frequencies
+    if (e.place == "caps.at_140") { // of two frequencies
       EXPECT_NE(plain_at_place(e).find("at caps.at_140 or one of 2 other places"),
                 std::string::npos)
           << plain_at_place(e);
+    }
     softest = std::min(softest, k.value);
     stiffest = std::max(stiffest, k.value);
   }

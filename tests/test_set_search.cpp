@@ -1,10 +1,13 @@
 // The search for sets of effects, on a problem in closed form (gains.hpp).
 #include "diagnose/judge/added_up.hpp"
+#include "diagnose/judge/places_fitted.hpp"
 #include "tests/gains.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
+#include <set>
 
 namespace plica {
 namespace {
@@ -171,6 +174,83 @@ TEST(SetSearch, says_of_which_sets_the_changes_are_added_up) {
     }
     EXPECT_EQ(added_up > 0, changes);
   }
+}
+
+// Of four effects that all act, eleven readings carry three, twelve all.
+TEST(SetSearch, has_three_readings_for_each_effect) {
+  for (const int readings : {11, 12}) {
+    Gains gains(readings);
+    VectorXd r = VectorXd::Zero(readings);
+    for (int k = 0; k < 4; ++k) {
+      const VectorXd g = gains.along(k, 20);
+      gains.add("effect " + std::to_string(k), "here", g);
+      r += g;
+    }
+    gains.measure(r);
+    std::size_t most = 0;
+    for (const JudgedFit& j : gains.sets()) most = std::max(most, j.fit.together.size());
+    EXPECT_EQ(most, std::size_t(readings / 3));
+  }
+}
+
+// Alone a mass is best at its third place; beside a clamp it sits at the fourth, which lies between
+// that and the fifth and was not worth a fit alone.
+TEST(SetSearch, moves_members_of_the_best_sets_to_places_between_in_the_end) {
+  Gains gains(12);
+  const VectorXd third = gains.along(0, 10) + gains.along(1, 4),
+                 fourth = gains.along(0, 10) + gains.along(1, 8),
+                 fifth = gains.along(0, 10) + gains.along(1, 14), clamp = gains.along(2, 15);
+  gains.add("mass", "third", third);
+  gains.add("mass", "fifth", fifth);
+  gains.add("clamp", "here", clamp);
+  gains.add("mass", "fourth", fourth).between = {{"third", 0.5}, {"fifth", 0.5}};
+  gains.leave_out_alone();
+  gains.measure(fourth + clamp);
+  const std::vector<JudgedFit> sets = gains.sets();
+  ASSERT_FALSE(sets.empty());
+  ASSERT_EQ(sets.front().fit.effects(), (Effects{"clamp", "mass"}));
+  std::set<std::string> places;
+  for (const Hypothesis* h : sets.front().fit.together) places.insert(h->place);
+  EXPECT_EQ(places, (std::set<std::string>{"fourth", "here"}));
+}
+
+TEST(PlacesFitted, are_those_next_to_good_ones) {
+  Gains gains(12);
+  const auto add = [&](const std::string& effect, int place, const VectorXd& g) {
+    Hypothesis& h = gains.add(effect, std::to_string(place), g);
+    if (place % 2 == 0)
+      h.between = {{std::to_string(place - 1), 0.5}, {std::to_string(place + 1), 0.5}};
+  };
+  // The farther from the eighth place, the less a mass explains; a support explains little
+  // anywhere.
+  for (const int parity : {1, 0})
+    for (int place = 2 - parity; place <= 17; place += 2) {
+      add("mass", place, gains.along(0, 30) + gains.along(1, 3. * (place - 8)));
+      add("support", place, gains.along(2, 1) + gains.along(3, 0.01 * place));
+    }
+  gains.measure(gains.along(0, 30));
+  const auto fitted = gains.searched({}, [](const SetSearch& search) {
+    std::vector<const Hypothesis*> all;
+    for (const Signature& s : search.all) all.push_back(s.hypothesis);
+    const PlacesFitted places = fit_places(search.context, all, [&](const Hypothesis& h) {
+      return judged(fit_of(search.context, {&h}), search.nominal.fit, search.context,
+                    search.held_out, search.scores, search.standards);
+    });
+    std::map<std::string, std::set<int>> found;
+    for (const JudgedFit& j : places.fits)
+      found[j.fit.together[0]->effect].insert(std::stoi(j.fit.together[0]->place));
+    double passed_over = 0;
+    for (const auto& [effect, weight] : places.passed_over) passed_over += weight;
+    EXPECT_EQ(places.fits.size() + std::size_t(passed_over), all.size());
+    return found;
+  });
+  EXPECT_TRUE(fitted.at("mass").contains(8));
+  EXPECT_FALSE(fitted.at("mass").contains(2)) << "far from the best";
+  EXPECT_FALSE(fitted.at("mass").contains(16));
+  std::size_t between = 0;
+  for (const int place : fitted.at("support")) between += place % 2 == 0;
+  EXPECT_LE(between, 5U) << "all are alike, but far behind the mass: three and what lies next";
+  EXPECT_GE(between, 1U);
 }
 
 TEST(SetSearch, finds_nothing_where_it_is_stopped_at_once) {

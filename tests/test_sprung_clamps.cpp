@@ -251,9 +251,13 @@ TEST(SprungClamps, of_ends_that_lie_apart_move_nothing) {
 
 TEST(SprungClamps, that_stay_rigid_are_told) {
   Case spinning = two_halves({}); // neither half resists torsion
-  for (Part& part : spinning.parts)
-    std::get<BeamPart>(part.body).section = {
-        .shape = BeamShape::general, .EA = 6e7, .EI = 720, .GJ = 0};
+  for (Part& part : spinning.parts) {
+    BeamSection& section = std::get<BeamPart>(part.body).section = {};
+    section.shape = BeamShape::general;
+    section.EA = 6e7;
+    section.EI = 720;
+    section.GJ = 0;
+  }
   EXPECT_EQ(put_springs_in_clamps(spinning), Names{});
   EXPECT_EQ(clamps_left_rigid(spinning), Names{"caps.joint"});
   Case found = two_halves({});
@@ -291,8 +295,9 @@ TEST(SprungClamps, at_a_mount_are_followed_end_by_end) {
         {.end = h.place.substr(std::string("caps.joint.").size()), .stiffness = springs}};
     EXPECT_EQ(edits[0].value.find("[{end: '" + truth.caps.back().ends[0].end + "'"), 0U);
     const Eigen::VectorXd whole = read_by(truth, m), own = *Predictor(model, readings, {&h})(value);
-    if (h.place == "caps.joint.beam2.start")
+    if (h.place == "caps.joint.beam2.start") {
       EXPECT_GT((as_drawn - whole).maxCoeff(), 0.02) << "it is seen";
+    }
     for (Eigen::Index i = 0; i < whole.size(); ++i)
       EXPECT_NEAR(own[i], whole[i], 1e-3) << h.place << " " << i;
     if (lets_go) {

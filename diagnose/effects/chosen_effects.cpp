@@ -4,6 +4,7 @@
 #include "words/input_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <set>
@@ -11,6 +12,22 @@
 
 namespace plica {
 namespace {
+
+// As likely anywhere between its bounds, of itself or, nearly, of its logarithm: no wider one says
+// less.
+bool is_even(const Prior& prior) {
+  if (prior.lies_between()) return true;
+  const double range = prior.kind == PriorKind::log_normal ? std::log(prior.high / prior.low)
+                                                           : prior.high - prior.low;
+  return range <= 2 * prior.width;
+}
+
+// Whether there was something to widen, or to make narrower.
+bool widen(Prior& prior, double factor) {
+  if (prior.lies_between() || (factor >= 1 && is_even(prior))) return false;
+  prior.width *= factor;
+  return true;
+}
 
 class Choice {
 public:
@@ -86,7 +103,7 @@ private:
       return;
     }
     std::vector<std::string> known;
-    bool found = false, wide = false;
+    bool found = false, widened = false;
     std::set<std::string> places, empty; // of these, where nothing is left of the prior
     for (Hypothesis& h : result_.hypotheses) {
       if (h.effect != asked.effect) continue;
@@ -94,10 +111,7 @@ private:
         if (!named(known, p.name)) known.push_back(p.name);
         if (p.name != asked.parameter) continue;
         found = true;
-        if (p.prior.lies_between())
-          wide = asked.widening.has_value();
-        else
-          p.prior.width *= asked.widening.value_or(1);
+        if (asked.widening && widen(p.prior, *asked.widening)) widened = true;
         places.insert(h.place);
         if (asked.between.size() == 2 && !bound(p.prior, asked.between)) empty.insert(h.place);
       }
@@ -114,7 +128,7 @@ private:
     if (found && nowhere)
       refuse(key + ".between", "leaves nothing of the prior",
              "[low, high] that the parameter may have");
-    if (wide)
+    if (found && asked.widening && !widened)
       refuse(key + ".widening", asked.parameter + " lies evenly between two bounds",
              "between: [low, high] within them");
     if (asked.between.empty() && !asked.widening)

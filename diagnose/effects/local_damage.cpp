@@ -156,15 +156,16 @@ std::vector<Hypothesis> local_damage_hypotheses(const Structure& s) {
   std::vector<Hypothesis> found;
   constexpr int directions = 8; // of half a turn: the other half answers alike
   for (const WallElements& wall : walls(s))
-    for (int k : stations_of(wall.convolutions, local_stations))
+    for (const ConvolutionPlace& c : convolution_places(wall.part, wall.convolutions))
       for (int i = 0; i < directions; ++i) {
         const double angle = std::numbers::pi * i / directions;
         const std::string way = fmt::format("{:g} degrees", 180. * i / directions);
-        found.push_back(damage(wall.part + ".convolution[" + std::to_string(k) + "]", way,
-                               {[quads = damaged(s.built.model, wall, k, angle)](Model& model) {
-                                  halve_modulus(model, {.quads = quads});
+        found.push_back(damage(c.place, way,
+                               {[quads = damaged(s.built.model, wall, c.number, angle)](Model& m) {
+                                  halve_modulus(m, {.quads = quads});
                                 },
                                 Follow::series}));
+        found.back().between = c.between;
       }
   for (const Part& part : s.data.parts)
     for (DamagedSpot& at : damaged_spots(s, part)) {

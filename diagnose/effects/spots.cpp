@@ -24,14 +24,19 @@ int top_of(const Mesh& mesh, const std::vector<int>& nodes) {
                            [&](int a, int b) { return mesh.nodes[a].z() < mesh.nodes[b].z(); });
 }
 
-void add_convolutions(std::vector<Spot>& found, const Structure& s, const std::string& part,
-                      int most) {
+std::string convolution_place(const std::string& part, int k) {
+  return part + ".convolution[" + std::to_string(k) + "]";
+}
+
+void add_crowns(std::vector<Spot>& found, const Structure& s, const std::string& part, int most) {
   const Mesh& mesh = s.built.model.mesh;
   const std::vector<double> y = roots(mesh, part);
-  for (int k : stations_of(int(y.size()) - 1, most))
-    if (const Ring* ring = crown(mesh, y[std::size_t(k) - 1], y[std::size_t(k)]))
-      found.push_back({part + ".convolution[" + std::to_string(k) + "]", ring->nodes,
-                       top_of(mesh, ring->nodes)});
+  for (const ConvolutionPlace& c : convolution_places(part, int(y.size()) - 1, most))
+    if (const Ring* ring = crown(mesh, y[std::size_t(c.number) - 1], y[std::size_t(c.number)]))
+      found.push_back({.place = c.place,
+                       .nodes = ring->nodes,
+                       .touched = top_of(mesh, ring->nodes),
+                       .between = c.between});
 }
 
 void add_points(std::vector<Spot>& found, const Structure& s, const std::string& part) {
@@ -63,27 +68,33 @@ bool is_held(const Structure& s, int node) {
 
 std::vector<int> stations_of(int count, int most) {
   std::vector<int> chosen;
-  const int even = std::min(count, 8);
-  for (int i = 0; i < even; ++i)
-    chosen.push_back(even == count ? i + 1 : 1 + ((2 * i + 1) * count) / (2 * even));
-  const auto away = [&](int k) {
-    int nearest = count;
-    for (int other : chosen) nearest = std::min(nearest, std::abs(other - k));
-    return nearest;
-  };
-  while (int(chosen.size()) < std::min(count, most)) {
-    int farthest = 1;
-    for (int k = 2; k <= count; ++k)
-      if (away(k) > away(farthest)) farthest = k;
-    chosen.insert(std::upper_bound(chosen.begin(), chosen.end(), farthest), farthest);
-  }
+  const int even = std::min(count, most);
+  for (int i = 0; i < even; ++i) chosen.push_back(1 + ((2 * i + 1) * count) / (2 * even));
   return chosen;
+}
+
+std::vector<ConvolutionPlace> convolution_places(const std::string& part, int count, int most) {
+  std::vector<ConvolutionPlace> found;
+  const std::vector<int> looked_at = stations_of(count, most);
+  for (int k : looked_at)
+    found.push_back({.number = k, .place = convolution_place(part, k), .between = {}});
+  for (int k = 1; k <= count; ++k) {
+    const auto after = std::lower_bound(looked_at.begin(), looked_at.end(), k);
+    if (after != looked_at.end() && *after == k) continue;
+    const int before = after == looked_at.begin() ? *after : *std::prev(after);
+    const int next = after == looked_at.end() ? before : *after;
+    const double share = next == before ? 0 : double(k - before) / double(next - before);
+    PlaceShares between{{convolution_place(part, before), 1 - share}};
+    if (share > 0) between.emplace_back(convolution_place(part, next), share);
+    found.push_back({.number = k, .place = convolution_place(part, k), .between = between});
+  }
+  return found;
 }
 
 namespace {
 
 void add_spots_of(std::vector<Spot>& found, const Structure& s, const Part& part, int crowns) {
-  if (std::holds_alternative<Bellows>(part.body)) add_convolutions(found, s, part.name, crowns);
+  if (std::holds_alternative<Bellows>(part.body)) add_crowns(found, s, part.name, crowns);
   if (std::holds_alternative<BeamPart>(part.body)) add_points(found, s, part.name);
   if (std::holds_alternative<EquivalentPipe>(part.body) ||
       std::holds_alternative<ConnectorChain>(part.body))
@@ -116,6 +127,7 @@ std::vector<Spot> spots(const Structure& s) {
   constexpr int few = 8;
   std::vector<Spot> found = sensor_spots(s);
   for (const Part& part : s.data.parts) add_spots_of(found, s, part, few);
+  std::erase_if(found, [](const Spot& spot) { return !spot.between.empty(); });
   drop_held(found, s);
   return found;
 }

@@ -132,6 +132,14 @@ JudgedFit judged(HypothesisFit fit, const HypothesisFit& nominal, const FitConte
   return j;
 }
 
+std::vector<JudgedFit> of_different_effects(const std::vector<JudgedFit>& sets, std::size_t most) {
+  std::vector<JudgedFit> chosen;
+  std::set<std::vector<std::string>> seen;
+  for (const JudgedFit& j : sets)
+    if (chosen.size() < most && seen.insert(j.fit.effects()).second) chosen.push_back(j);
+  return chosen;
+}
+
 std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
                                        const PassedOver& passed_over) {
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;

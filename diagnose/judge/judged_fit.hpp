@@ -76,6 +76,9 @@ using PassedOver = std::map<std::string, double>;
 std::vector<EffectFits> fits_by_effect(const std::vector<JudgedFit>& fits,
                                        const PassedOver& passed_over = {});
 
+// The first sets of different effects: one effect with many places would take all the turns.
+std::vector<JudgedFit> of_different_effects(const std::vector<JudgedFit>& sets, std::size_t most);
+
 // Without effects that name a place only (Hypothesis::names_place_only) where another effect at
 // that place closes half as much of the gap.
 void drop_places_with_a_cause(std::vector<JudgedFit>& fits, const JudgedFit& nominal);

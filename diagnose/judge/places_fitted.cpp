@@ -5,42 +5,70 @@
 #include "solve/parallel.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
-#include <utility>
+#include <tuple>
 
 namespace plica {
 namespace {
 
-using EffectAtPlace = std::pair<std::string, std::string>;
+using InWay = std::tuple<std::string, std::string, std::string>; // effect, place, way
 
-// Of what was fitted: the best three places of each effect, and those within so many nats of its
-// best, by the errors as stated or as a fit that leaves much makes them.
-std::set<EffectAtPlace> near_the_best(const std::vector<JudgedFit>& fits) {
+// The largest evidence of fits, by the errors as stated and as a fit that leaves much makes them.
+struct Most {
+  double stated = -std::numeric_limits<double>::infinity(), dispersed = stated;
+  void take(const HypothesisFit& fit) {
+    stated = std::max(stated, fit.log_evidence);
+    dispersed = std::max(dispersed, dispersed_log_evidence(fit));
+  }
+  bool is_near(double own_stated, double own_dispersed) const {
+    return own_stated > stated - threshold::beyond_chance ||
+           own_dispersed > dispersed - threshold::beyond_chance;
+  }
+};
+
+// Of what was fitted: the best way at the best three places of each effect, and where it comes near
+// the best of all what is within so many nats of its best.
+std::set<InWay> near_the_best(const std::vector<JudgedFit>& fits) {
   constexpr std::size_t best_places = 3;
   std::map<std::string, std::vector<const JudgedFit*>> by_effect;
-  for (const JudgedFit& j : fits) by_effect[j.fit.together[0]->effect].push_back(&j);
-  std::set<EffectAtPlace> near;
+  std::map<std::string, Most> most;
+  Most of_all;
+  for (const JudgedFit& j : fits) {
+    const std::string& effect = j.fit.together[0]->effect;
+    by_effect[effect].push_back(&j);
+    most[effect].take(j.fit);
+    of_all.take(j.fit);
+  }
+  std::set<InWay> near;
   for (auto& [effect, own] : by_effect) {
     std::stable_sort(own.begin(), own.end(), [](const JudgedFit* a, const JudgedFit* b) {
       return a->fit.log_evidence > b->fit.log_evidence;
     });
-    double dispersed = dispersed_log_evidence(own.front()->fit);
-    for (const JudgedFit* j : own) dispersed = std::max(dispersed, dispersed_log_evidence(j->fit));
+    const Most& best = most[effect];
+    const bool comes_near = of_all.is_near(best.stated, best.dispersed);
     std::set<std::string> places;
     for (const JudgedFit* j : own) {
-      const std::string& place = j->fit.together[0]->place;
-      if (places.size() < best_places) places.insert(place);
-      if (places.contains(place) ||
-          j->fit.log_evidence > own.front()->fit.log_evidence - threshold::beyond_chance ||
-          dispersed_log_evidence(j->fit) > dispersed - threshold::beyond_chance)
-        near.insert({effect, place});
+      const Hypothesis& h = *j->fit.together[0];
+      const bool best_there = places.size() < best_places && places.insert(h.place).second;
+      if (best_there ||
+          (comes_near && best.is_near(j->fit.log_evidence, dispersed_log_evidence(j->fit))))
+        near.insert({effect, h.place, h.way});
     }
   }
   return near;
 }
 
 } // namespace
+
+bool lie_next(const Hypothesis& a, const Hypothesis& b) {
+  const auto names = [](const Hypothesis& h, const Hypothesis& other) {
+    return std::any_of(h.between.begin(), h.between.end(),
+                       [&](const auto& beside) { return beside.first == other.place; });
+  };
+  return a.effect == b.effect && a.way == b.way && (names(a, b) || names(b, a));
+}
 
 PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypothesis*>& all,
                         const std::function<JudgedFit(const Hypothesis&)>& fit) {
@@ -56,10 +84,10 @@ PlacesFitted fit_places(const FitContext& context, const std::vector<const Hypot
   };
   fit_each(first);
   for (std::vector<const Hypothesis*> chosen = first; !chosen.empty();) {
-    const std::set<EffectAtPlace> near = near_the_best(result.fits);
+    const std::set<InWay> near = near_the_best(result.fits);
     const auto lies_far = [&](const Hypothesis* h) {
       return std::none_of(h->between.begin(), h->between.end(), [&](const auto& beside) {
-        return near.contains({h->effect, beside.first});
+        return near.contains({h->effect, beside.first, h->way});
       });
     };
     const auto close = std::stable_partition(between.begin(), between.end(), lies_far);

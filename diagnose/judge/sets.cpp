@@ -1,6 +1,8 @@
 #include "diagnose/judge/sets.hpp"
 
 #include "diagnose/judge/added_up.hpp"
+#include "diagnose/judge/matched_gain.hpp"
+#include "diagnose/judge/places_fitted.hpp"
 #include "diagnose/judge/thresholds.hpp"
 #include "diagnose/results/stage_share.hpp"
 #include "diagnose/weigh/twins.hpp"
@@ -8,17 +10,14 @@
 #include "solve/parallel.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <set>
 
 namespace plica {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Together = std::vector<const Hypothesis*>;
 
@@ -27,15 +26,6 @@ constexpr std::size_t grown_sets = 3;                   // of each size
 constexpr std::size_t moved_sets = 3, other_places = 3; // of each size; for one member
 constexpr double worth_growing = 2;                     // nats, of one effect more
 constexpr std::size_t few = 6; // effects that are tried beside a set that leads, or in place of one
-
-// A frequency or damping moves with the level by more than its uncertainty: what slips may be in
-// it.
-bool changes_with_level(const TestReadings& test) {
-  constexpr double beyond = 3; // standard deviations
-  const std::vector<LevelTrend> trends = level_trends(test);
-  return std::any_of(trends.begin(), trends.end(),
-                     [](const LevelTrend& t) { return std::abs(t.slope) > beyond * t.sigma; });
-}
 
 struct Asked {
   Together together;
@@ -58,25 +48,6 @@ VectorXd joined(const std::vector<VectorXd>& parts) {
   return all;
 }
 
-// What a hypothesis would be worth beside a set: its matched filter on the residual, of which the
-// set takes up its share.
-double gain(const HypothesisFit& set, const Signature& s) {
-  const MatrixXd& J = set.J;
-  const MatrixXd A = MatrixXd::Identity(J.cols(), J.cols()) + J.transpose() * J;
-  const VectorXd g = s.g - J * A.ldlt().solve(J.transpose() * s.g);
-  return std::pow(g.dot(set.error), 2) / (2 * (g.squaredNorm() + 1)) -
-         std::log1p(g.squaredNorm()) / 2;
-}
-
-// The first sets of different effects: one effect with many places would take all the turns.
-std::vector<JudgedFit> of_different_effects(const std::vector<JudgedFit>& sets, std::size_t most) {
-  std::vector<JudgedFit> chosen;
-  std::set<std::vector<std::string>> seen;
-  for (const JudgedFit& j : sets)
-    if (chosen.size() < most && seen.insert(j.fit.effects()).second) chosen.push_back(j);
-  return chosen;
-}
-
 bool contains(const Together& together, const Hypothesis* h) {
   return std::find(together.begin(), together.end(), h) != together.end();
 }
@@ -96,11 +67,13 @@ public:
     std::vector<JudgedFit> found;
     const bool explained = grow(std::move(front), found);
     exchange(found);
+    refine(found);
     solve_anew(found);
     // What explained the test while changes were added up may not do so solved anew.
     if (explained && std::none_of(found.begin(), found.end(), explains)) {
       grow(of_different_effects(found, grown_sets), found);
       exchange(found);
+      refine(found);
     }
     return found;
   }
@@ -117,13 +90,18 @@ public:
 
 private:
   static bool explains(const JudgedFit& j) { return j.credible(); }
+  std::size_t readings() const { return context_.fitted.rows().size(); }
+  // Of so many effects, each of one free parameter: with fewer readings they are too free.
+  bool carry(std::size_t effects) const {
+    return readings() >= effects * std::size_t(threshold::readings_each);
+  }
 
   // Adds sets of one effect more to those found, from the front on and then from the best of them,
   // until one explains the test and asks for no more (true) or one more is worth too little.
   bool grow(std::vector<JudgedFit> front, std::vector<JudgedFit>& found) {
     while (!front.empty() && !settings_.stop()) {
       const std::size_t size = front.front().fit.together.size() + 1;
-      if (size > most_effects || size >= context_.fitted.rows().size()) break;
+      if (size > most_effects || size >= readings() || (size > 2 && !carry(size))) break;
       begin_size(size);
       const double before = dispersed_log_evidence(front.front().fit);
       std::vector<JudgedFit> level = fitted(larger(front));
@@ -136,8 +114,7 @@ private:
       if (std::any_of(level.begin(), level.end(), explains_all)) return true;
       if (level.empty()) break;
       // Two of three may do little without the third, where the readings carry three.
-      const bool carries_three = context_.fitted.rows().size() >= 3 * threshold::readings_each;
-      if (!(size == 2 && carries_three) &&
+      if (!(size == 2 && carry(3)) &&
           dispersed_log_evidence(level.front().fit) < before + worth_growing)
         break;
       front = of_different_effects(level, grown_sets);
@@ -171,7 +148,19 @@ private:
     return true;
   }
 
+  bool is_fitted_alone(const Hypothesis& h) const {
+    return std::any_of(fits_.begin(), fits_.end(),
+                       [&](const JudgedFit& j) { return j.fit.together[0] == &h; });
+  }
+
+  // What names a place only, or lies between places, is asked for where it was worth a fit of its
+  // own.
   bool may_join(const Together& set, const Hypothesis& h) const {
+    return may_act_beside(set, h) &&
+           (!(h.names_place_only || !h.between.empty()) || is_fitted_alone(h));
+  }
+
+  bool may_act_beside(const Together& set, const Hypothesis& h) const {
     bool softens = false;
     for (const Hypothesis* own : set) {
       softens = softens || own->softening;
@@ -181,10 +170,6 @@ private:
           }))
         return false; // an end is let go once
     }
-    if (h.names_place_only && std::none_of(fits_.begin(), fits_.end(), [&](const JudgedFit& j) {
-          return j.fit.together[0] == &h;
-        }))
-      return false;
     return !h.softening || (levels_matter_ && !softens);
   }
 
@@ -208,7 +193,7 @@ private:
     std::map<std::string, std::pair<double, const Hypothesis*>> best;
     for (const Signature& s : all_) {
       if (s.g.norm() < silent || !may_join(set.together, *s.hypothesis)) continue;
-      const double own = gain(set, s);
+      const double own = gain_beside(set, s);
       auto& of_effect = best[s.hypothesis->effect];
       if (!of_effect.second || own > of_effect.first) of_effect = {own, s.hypothesis};
     }
@@ -296,6 +281,34 @@ private:
     add(found, fitted(larger(rests, few)));
   }
 
+  // The best sets of different effects with each member at the places next to its own that lie
+  // between others, where these are better once more. What a single effect outdoes is left as it
+  // is.
+  void refine(std::vector<JudgedFit>& found) {
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds && !found.empty() && !settings_.stop(); ++round) {
+      if (best_of(found).fit.log_evidence < ranked_.front().best->fit.log_evidence) return;
+      std::vector<Asked> asked;
+      for (const JudgedFit& best : of_different_effects(found, moved_sets))
+        add_next_places(best.fit, asked);
+      if (asked.empty()) return;
+      add(found, fitted(asked));
+    }
+  }
+
+  void add_next_places(const HypothesisFit& set, std::vector<Asked>& asked) {
+    for (std::size_t member = 0; member < set.together.size(); ++member) {
+      const Hypothesis& own = *set.together[member];
+      const Together rest = without(set.together, {&own});
+      Together together = set.together;
+      for (const Signature& s : all_) {
+        if (!lie_next(own, *s.hypothesis) || !may_act_beside(rest, *s.hypothesis)) continue;
+        together[member] = s.hypothesis;
+        if (is_new(together)) asked.push_back({together, set.z});
+      }
+    }
+  }
+
   // The sets that may count once more, with what their members do to each other: so far their
   // changes were added up.
   void solve_anew(std::vector<JudgedFit>& found) {
@@ -371,14 +384,6 @@ private:
 };
 
 } // namespace
-
-double worth_of_one_more(const HypothesisFit& fit, const std::vector<Signature>& all) {
-  double most = 0;
-  for (const Signature& s : all)
-    if (!contains(fit.together, s.hypothesis) && !s.hypothesis->softening)
-      most = std::max(most, gain(fit, s));
-  return most;
-}
 
 std::vector<JudgedFit> fit_sets(const SetSearch& search) {
   return Growth(search).sets();

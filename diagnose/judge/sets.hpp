@@ -4,9 +4,11 @@
 // effect at the place that its residual asks for (matched filter, which far from the nominal case
 // is no more than a hint), and where the effect is best alone. Members of the best sets are then
 // exchanged for the same effect elsewhere, since alone an effect may have been drawn to another
-// place by what the others do, and left out in turn. Growth ends at five effects, where a further
-// one is worth too little, or with a set that explains the test and whose residual asks for no
-// more.
+// place by what the others do, and left out in turn. Of places that lie between others
+// (Hypothesis::between) sets have those that were worth a fit alone, and in the end those next to
+// the members of the best. Growth ends at five effects or where the readings carry no more, three
+// each, where a further one is worth too little, or with a set that explains the test and whose
+// residual asks for no more.
 //
 // While sets are searched, changes of the model are added up; those that may count are then fitted
 // anew (added_up.hpp), and so is all that is tried from there on.
@@ -17,10 +19,6 @@
 #include "diagnose/results/settings.hpp"
 
 namespace plica {
-
-// What one further effect would be worth at most of what a fit leaves, in nats, by the matched
-// filter of its signature.
-double worth_of_one_more(const HypothesisFit& fit, const std::vector<Signature>& all);
 
 // What sets grow from.
 struct SetSearch {

@@ -48,7 +48,7 @@ inline constexpr double moves = 0.1;             // standard deviations of a rea
 inline constexpr double narrower = 0.5;          // standard deviations of a prior
 inline constexpr double untold_z = 0.1;  // |z| below which a parameter is as it was expected,
 inline constexpr double untold = 0.95;   // and standard deviations of a prior, as well known
-inline constexpr int readings_each = 3;  // of a free parameter, for several effects
+inline constexpr int readings_each = 3;  // of a free parameter or effect, of several
 inline constexpr int spare_readings = 2; // beyond several free parameters, to identify an effect
 
 } // namespace plica::threshold

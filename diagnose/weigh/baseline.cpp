@@ -1,5 +1,6 @@
 #include "diagnose/weigh/baseline.hpp"
 
+#include "diagnose/readings/same_thing.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
 #include "lab/measured/states.hpp"
 #include "run/results/normal_distribution.hpp"
@@ -53,23 +54,9 @@ const char* plural(ReadingKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-// Sensor and axis that a component of a shape is of.
-std::pair<std::string, int> channel_of(const TestReadings& test, const Reading& r) {
-  const ReadShape& shape = test.shapes[std::size_t(r.of_shape)];
-  return {shape.sensors[std::size_t(r.channel)], shape.axes[std::size_t(r.channel)]};
-}
-
 // Readings numbered so that those of one thing share a number.
 std::vector<int> things_of(const TestReadings& test) {
-  std::vector<int> numbers;
-  std::vector<std::size_t> first;
-  for (std::size_t i = 0; i < test.readings.size(); ++i) {
-    std::size_t k = 0;
-    while (k < first.size() && !same_thing(test, test.readings[first[k]], test.readings[i])) ++k;
-    if (k == first.size()) first.push_back(i);
-    numbers.push_back(int(k));
-  }
-  return numbers;
+  return numbered(test, [&](const Reading& a, const Reading& b) { return same_thing(test, a, b); });
 }
 
 double level_of(const TestReadings& test, const Reading& r) {
@@ -253,27 +240,11 @@ double most_of(const Remounting& seen) {
   return seen.frequency * std::pow(1 - share - one_sided * std::sqrt(share), -1.5);
 }
 
-bool same_thing(const TestReadings& test, const Reading& a, const Reading& b) {
-  if (a.kind != b.kind || a.direction != b.direction || (a.run < 0) != (b.run < 0)) return false;
-  if (is_of_rig(a))
-    return a.axis == b.axis && a.stroke == b.stroke && a.rig.hertz == b.rig.hertz &&
-           a.rig.driving_point == b.rig.driving_point && a.rig.ends == b.rig.ends;
-  if (a.run < 0) return true;
-  if (a.kind == ReadingKind::component && channel_of(test, a) != channel_of(test, b)) return false;
-  const TestRun &r = test.runs[std::size_t(a.run)], &s = test.runs[std::size_t(b.run)];
-  const bool of_mode = a.kind == ReadingKind::frequency || a.kind == ReadingKind::damping;
-  if (of_mode && (a.mode >= 0 || b.mode >= 0)) return a.mode == b.mode;
-  if (r.input != s.input || a.axis != b.axis) return false;
-  if (!r.input.any()) return a.shape == b.shape && a.order == b.order;
-  return r.axis == s.axis && a.mode == b.mode && (a.mode >= 0 || a.peak == b.peak) &&
-         a.sensor == b.sensor && (a.at_run >= 0) == (b.at_run >= 0) && a.highest == b.highest;
-}
-
 Remounting remounting_of(const TestReadings& test, const Measured& measured,
                          const DiagnosisRequest& request) {
   Remounting usual;
   if (!has_baseline(measured)) return usual;
-  constexpr double frequency = 0.004, damping = 0.15, speaks = 4;
+  constexpr double frequency = 0.0045, damping = 0.15, speaks = 4;
   const std::vector<int> things = things_of(test);
   const auto seen = [&](ReadingKind kind, double sigma) {
     std::map<std::pair<int, double>, std::map<std::string, std::vector<double>>> groups;

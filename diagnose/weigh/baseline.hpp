@@ -20,10 +20,7 @@
 
 namespace plica {
 
-// Whether two readings are of one thing, whatever state and level: the lab's names decide.
-bool same_thing(const TestReadings& test, const Reading& a, const Reading& b);
-
-// Scatter of a specimen mounted anew: as the case says, else 0.4 % of frequencies and 15 % of
+// Scatter of a specimen mounted anew: as the case says, else 0.45 % of frequencies and 15 % of
 // damping ratios, each as four measurements that speak beside what several baselines show.
 Remounting remounting_of(const TestReadings& test, const Measured& measured,
                          const DiagnosisRequest& request);

@@ -186,4 +186,11 @@ std::vector<LevelTrend> level_trends(const TestReadings& test) {
   return trends;
 }
 
+bool changes_with_level(const TestReadings& test) {
+  constexpr double beyond = 3;
+  const std::vector<LevelTrend> trends = level_trends(test);
+  return std::any_of(trends.begin(), trends.end(),
+                     [](const LevelTrend& t) { return std::abs(t.slope) > beyond * t.sigma; });
+}
+
 } // namespace plica

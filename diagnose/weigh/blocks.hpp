@@ -45,6 +45,9 @@ void mark_significant(std::vector<LocatedGap>& gaps, const std::vector<double>& 
 
 std::vector<LocatedGap> located(const BlockScores& scores, const Eigen::VectorXd& deviation);
 std::vector<LevelTrend> level_trends(const TestReadings& test);
+// A frequency or damping moves with the level by more than three of its standard deviations: what
+// slips may be in it.
+bool changes_with_level(const TestReadings& test);
 
 std::string name_of(const LocatedGap& block);
 // "frequency"; empty: of a component, by hypotheses there.

@@ -1,5 +1,6 @@
 #include "diagnose/weigh/uncertainty.hpp"
 
+#include "diagnose/readings/same_thing.hpp"
 #include "diagnose/weigh/damping_weights.hpp"
 #include "diagnose/weigh/level_errors.hpp"
 #include "diagnose/weigh/normal_draws.hpp"
@@ -212,30 +213,44 @@ MatrixXd reassembly_of(const TestReadings& test, const MatrixXd& weights,
          shared_rig_loss(test, remounting.damping);
 }
 
+// Whether mesh and reduction miss the same of both: of a thing in every state and at every level,
+// of a rig at every stroke and frequency.
+bool miss_the_same(const TestReadings& test, const Reading& a, const Reading& b) {
+  if (a.kind != b.kind) return false;
+  if (is_of_rig(a) && is_of_rig(b)) return a.axis == b.axis && rig_motion(a) == rig_motion(b);
+  return same_thing(test, a, b) || (a.kind == ReadingKind::frequency && same_mode(test, a, b));
+}
+
 MatrixXd numeric_of(const TestReadings& test, const MatrixXd& weights,
                     const std::vector<CrossScatter>& cross, const VectorXd& correction) {
   using namespace test_sigma;
-  MatrixXd S = shared_frequency(test, numeric_frequency, always) +
-               shared_damping(test, weights, numeric_damping, by_input(test, always)) +
+  MatrixXd S = shared_damping(test, weights, numeric_damping, by_input(test, always)) +
                shared_rig_loss(test, numeric_damping);
   for (const CrossScatter& a : cross)
     for (const CrossScatter& b : cross)
       if (same_way(test, test.readings[std::size_t(a.reading)],
                    test.readings[std::size_t(b.reading)]))
         S(a.reading, b.reading) += std::pow(numeric_cross, 2);
-  const auto kind_of = [&](Index i) { return test.readings[std::size_t(i)].kind; };
-  for (Index i = 0; i < S.rows(); ++i) {
-    S(i, i) += std::pow(share_of_correction * correction[i], 2);
-    // What a mesh misses of the mass it misses in every state.
-    for (Index j = 0; j < i && kind_of(i) == ReadingKind::mass; ++j)
-      if (kind_of(j) == ReadingKind::mass)
-        S(i, j) = S(j, i) =
-            share_of_correction * share_of_correction * correction[i] * correction[j];
-    const ReadingKind kind = kind_of(i);
-    if (kind == ReadingKind::stiffness || kind == ReadingKind::dynamic_stiffness)
-      S(i, i) += std::pow(numeric_stiffness, 2);
-    if (kind == ReadingKind::component) S(i, i) += std::pow(numeric_component, 2);
-  }
+  const auto own = [](ReadingKind kind) {
+    switch (kind) {
+    case ReadingKind::frequency:
+      return numeric_frequency;
+    case ReadingKind::stiffness:
+    case ReadingKind::dynamic_stiffness:
+      return numeric_stiffness;
+    case ReadingKind::component:
+      return numeric_component;
+    default:
+      return 0.;
+    }
+  };
+  const std::vector<int> thing =
+      numbered(test, [&](const Reading& a, const Reading& b) { return miss_the_same(test, a, b); });
+  for (Index i = 0; i < S.rows(); ++i)
+    for (Index j = 0; j < S.cols(); ++j)
+      if (thing[std::size_t(i)] == thing[std::size_t(j)])
+        S(i, j) += std::pow(own(test.readings[std::size_t(i)].kind), 2) +
+                   share_of_correction * share_of_correction * correction[i] * correction[j];
   return S;
 }
 

@@ -12,7 +12,7 @@ template <class V> void fields(V& v, PriorRequest& p) {
   v.quantities(p.between, "between", {.min_items = 2, .max_items = 2},
                "[low, high] that it cannot leave, in SI");
   v.quantity(p.widening, "widening", {.min = 0, .exclusive_min = true},
-             "factor of the width of its prior");
+             "factor of the width of its prior; one that is even between two bounds has none");
 }
 
 template <class V> void fields(V& v, DiagnosisRequest& d) {
@@ -28,9 +28,11 @@ template <class V> void fields(V& v, DiagnosisRequest& d) {
       {.unit = Dimension::ratio, .min = 0, .max = 0.5, .exclusive_min = true},
       "of each frequency of the model, the same in a baseline and after; left out: 2 % beside "
       "a baseline, more where it shows more, else none");
-  v.quantity(d.correlation, "correlation", share, "of the model's error in a baseline and after");
+  v.quantity(d.correlation, "correlation", share,
+             "of the model's error in a baseline and after; left out: 1. What mesh and tolerances "
+             "leave open is wholly common");
   v.quantity(d.remounting, "remounting", share,
-             "scatter of a frequency when the specimen is mounted anew; left out: 0.4 %, or what "
+             "scatter of a frequency when the specimen is mounted anew; left out: 0.45 %, or what "
              "several baselines show");
   v.quantity(
       d.change_error, "change_error", share,
